@@ -19,7 +19,7 @@ from matplotlib.colors import Normalize
 from matplotlib.font_manager import findfont
 from PIL import Image, ImageDraw, ImageFont
 
-from figures import bit_in_hole, bit_motion, bit_scene, render, results, rock_data, rock_scene
+from figures import bit_motion, hole_pictures, render, results, rock_data, rock_scene
 
 COLOURS = 64  # of the whole picture: a GIF has 256 at most, and fewer are smaller
 INK = (29, 39, 51)
@@ -27,8 +27,8 @@ INK = (29, 39, 51)
 
 def cutting_parts(bit):
     """Without the body, which would hide the bottom."""
-    parts = bit_in_hole.bit_layer(bit)
-    return bit_in_hole.part_of(parts, (parts.colours != bit_in_hole.BODY).any(axis=1))
+    parts = hole_pictures.bit_layer(bit)
+    return hole_pictures.part_of(parts, (parts.colours != hole_pictures.BODY).any(axis=1))
 
 
 def scene(rock, bit, norm):

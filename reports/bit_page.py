@@ -3,7 +3,7 @@
 
     reports/bit_page.py FOLDER [-o FILE]      one HTML file with everything in it: FOLDER/bit.html
 
-Exit code 2 and one line on what is wrong when the folder holds no such report.
+Exit code 2 and one line on what is wrong when the folder contains no such report.
 """
 
 import argparse
@@ -20,7 +20,7 @@ import jinja2
 import matplotlib
 
 matplotlib.use("Agg")
-from figures import bit_charts, bit_data, bit_frame, bit_meshes, bit_views, cone_charts, cutter_frames, update_directions  # noqa: E402
+from figures import bit_charts, bit_data, bit_pictures, cone_charts  # noqa: E402
 from page_tables import tables  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
@@ -29,7 +29,7 @@ matplotlib.rcParams.update({"svg.hashsalt": "tdbd", "svg.fonttype": "path"})
 
 
 def embedded(figure, form):
-    """A figure as the address of an image that holds it; the same figure gives the same bytes."""
+    """A figure as a data URL. The same figure gives the same bytes."""
     kind = {"svg": "svg+xml", "png": "png"}[form]
     metadata = {"svg": {"Date": None, "Creator": None}, "png": {"Software": None}}[form]
     file = io.BytesIO()
@@ -103,17 +103,17 @@ def profile_chart(bit):
 
 def pictures(bit):
     yield picture("The bit", "Left: from below. Right: isometric (figs. 3.2 to 3.5). Colours: blades, or cones.",
-                  bit_views.draw_bit(bit, DPI))
+                  bit_pictures.draw_views(bit, DPI))
     yield picture("Its coordinate system", "Drawn at the centre of mass (fig. 3.6); x blue, y green, z red and down.",
-                  bit_frame.draw_bit(bit, DPI))
+                  bit_pictures.draw_frame(bit, DPI))
     if bit.cutters:
         yield picture("The cutters' coordinate systems", "Left: all, from below. Right: one, close up (fig. 3.7). x is the face's normal, "
-                      "-z lies in the face and points towards the rock.", cutter_frames.draw_bit(bit, DPI))
-        yield picture("A cutter's mesh", "Face and chamfer (fig. 3.9).", bit_meshes.draw_cutters([bit], DPI))
+                      "-z lies in the face and points towards the rock.", bit_pictures.draw_cutter_frames(bit, DPI))
+        yield picture("A cutter's mesh", "Face and chamfer (fig. 3.9).", bit_pictures.draw_cutters([bit], DPI))
     if bit.cones:
-        yield picture("Meshes of teeth", "The first cone, and its visible teeth (fig. 3.10).", bit_meshes.draw_teeth(bit, DPI))
+        yield picture("Meshes of teeth", "The first cone, and its visible teeth (fig. 3.10).", bit_pictures.draw_teeth(bit, DPI))
     yield picture("Update directions", "The direction in which each part moves rock, at its azimuth (figs. 4.4, 4.5).",
-                  update_directions.draw_bit(bit, DPI))
+                  bit_pictures.draw_update_directions(bit, DPI))
 
 
 def charts(bit):

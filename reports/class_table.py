@@ -1,4 +1,4 @@
-"""The table of the thesis's class diagrams (app. B) and what stands for them here, read from src/README.md."""
+"""The table of the thesis's class diagrams (app. B) and the counterparts in TDBD, read from src/README.md."""
 
 import re
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ class Row:
     theirs: str
     names: tuple  # types and functions
     files: tuple  # relative to src
-    note: str  # what stands beside the names
+    note: str  # the text beside the names
 
 
 def row_of(line):

@@ -8,11 +8,10 @@ import importlib
 from importlib.metadata import version
 from pathlib import Path
 
-import comparison_costs
+import comparison_results
 import comparison_tables
 import fingerprint
 from calibrations import Set
-from comparison_results import Result
 from data import Data
 from drawing import DPI, SCRIPTS
 from fingerprint import Stale
@@ -26,7 +25,7 @@ SECTION = Set(
     "linear in the area; bit B rolling in its hole; and a roller cone bit with two rows a cone. Most of their equations could not be found and are reconstructed "
     "(reference/literature). So this compares ideas, such as spokes against a mesh, not the authors' programs. The lines called TDBD are this program's.",
     "tdbd-compare with the runs of reports/protocol.toml", "", ())
-# script: (title, caption)
+# function of figures/compare.py: (title, caption)
 FIGURES = {
     "compare_areas": (
         "Area that each cutter cuts",
@@ -68,7 +67,7 @@ class Comparisons:
     def __init__(self, root, build, output, is_quick):
         self.root, self.build, self.output, self.is_quick = Path(root), Path(build), Path(output), is_quick
         self.data = ComparisonData(root, build, self.output / "data")
-        self.file, self.costs = self.root / "reports/protocol.toml", self.root / "reports" / comparison_costs.NAME
+        self.file, self.costs = self.root / "reports/protocol.toml", self.root / "reports" / comparison_results.COSTS
         self.asked = list(protocol(self.file)) if self.file.is_file() else []
 
     def found(self):
@@ -91,16 +90,16 @@ class Comparisons:
 
     def results(self):
         """{group: [(settings, Result)]} of all runs."""
-        groups, costs = {}, comparison_costs.read(self.costs)
+        groups, costs = {}, comparison_results.read_costs(self.costs)
         for run in self.asked:
-            result = Result(self.data.result(run), comparison_costs.of_run(costs, run.name, self.costs))
+            result = comparison_results.Result(self.data.result(run), comparison_results.costs_of(costs, run.name, self.costs))
             groups.setdefault(run.group, []).append((run.settings, result))
         return groups
 
     def inputs(self):
         """Fingerprint of what decides tables and figures."""
-        scripts = [SCRIPTS / f"{s}.py" for s in (*FIGURES, "style")]
-        own = [HERE / n for n in ("comparison.py", "comparison_costs.py", "comparison_results.py", "comparison_tables.py", "comparison_verdicts.py", "study_tools.py")]
+        scripts = [SCRIPTS / f"{s}.py" for s in ("compare", "style")]
+        own = [HERE / n for n in ("comparison.py", "comparison_results.py", "comparison_tables.py", "study_tools.py")]
         runs = [[r.name, fingerprint.read(self.data.stamp(r))] for r in self.asked]
         own += [self.costs] if self.costs.is_file() else []
         return fingerprint.of_value([runs, fingerprint.of_scripts(SCRIPTS, *scripts), [fingerprint.of_file(f) for f in own], version("matplotlib")])
@@ -138,7 +137,7 @@ class Comparisons:
         self.stamp().unlink(missing_ok=True)
         results = self.results()
         for script in FIGURES:
-            figure = importlib.import_module(f"figures.{script}").draw(results)
+            figure = getattr(importlib.import_module("figures.compare"), script)(results)
             figure.savefig(self.picture(script), dpi=DPI, metadata={"Software": None})
         for name, table in comparison_tables.TABLES.items():
             self.table(name).write_text(table.write(results), encoding="utf-8")

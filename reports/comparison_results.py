@@ -1,12 +1,68 @@
-"""Reads one result folder of tdbd-compare: comparison.csv, parts.csv, comparison.json, comparison.nc."""
+"""Reads one result folder of tdbd-compare (comparison.csv, parts.csv, comparison.json, comparison.nc) and the processor times of all runs.
+
+    comparison_results.py RESULTS    writes comparison_costs.csv from the timing.json of the runs below RESULTS
+                                     (results/report/comparison/data)
+
+Processor time is measured once and committed, so that the page is bitwise reproducible. Measure it again when a run or a model changes,
+on a quiet machine.
+"""
 
 import csv
 import json
+import sys
 from functools import cached_property
 from pathlib import Path
 
 import netCDF4
 import numpy as np
+
+from fingerprint import Stale
+
+HERE = Path(__file__).parent
+COSTS = "comparison_costs.csv"
+HEADS = ("run", "model", "cpu_s", "simulated_s")
+
+
+def measured_costs(results):
+    """Rows of all runs below a folder."""
+    rows = []
+    for file in sorted(Path(results).rglob("timing.json")):
+        models = json.loads(file.read_text(encoding="utf-8"))["models"]
+        rows += [(file.parent.relative_to(results).as_posix(), model, t["cpu_s"], t["simulated_s"]) for model, t in models.items()]
+    return rows
+
+
+def write_costs(path, rows):
+    with Path(path).open("w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(HEADS)
+        table.writerows(rows)
+
+
+def read_costs(path):
+    """{run: {model: CPU seconds a simulated second, None of a model without time}}; nothing of a file that is not there. Raises Stale of a line
+    that is none of these."""
+    costs = {}
+    if not Path(path).is_file():
+        return costs
+    with Path(path).open(newline="", encoding="utf-8") as file:
+        for number, row in enumerate(csv.reader(file), 1):
+            if number == 1 and tuple(row) == HEADS:
+                continue
+            try:
+                run, model, cpu, simulated = row[0], row[1], *map(float, row[2:])
+            except (ValueError, IndexError):
+                raise Stale(f"{path}:{number}: found {','.join(row)!r}, expected {','.join(HEADS)}") from None
+            costs.setdefault(run, {})[model] = cpu / simulated if simulated else None
+    return costs
+
+
+def costs_of(costs, run, path):
+    """Those of a run. Raises Stale when it was never measured."""
+    if run not in costs:
+        raise Stale(f"{path}: found no processor time of the run {run}, expected that of each model: python3 reports/{Path(__file__).name} "
+                    "results/report/comparison/data writes it")
+    return costs[run]
 
 
 def rows_of(path):
@@ -15,10 +71,10 @@ def rows_of(path):
 
 
 class Result:
-    """What the models said about one case."""
+    """The results of all models for one case."""
 
     def __init__(self, folder, costs=None):
-        """costs: {model: CPU seconds a simulated second} (comparison_costs.py)."""
+        """costs: {model: CPU seconds a simulated second} (costs_of)."""
         self.folder, self.costs = Path(folder), costs or {}
 
     def document(self, name):
@@ -35,12 +91,12 @@ class Result:
 
     @cached_property
     def says(self):
-        """{(model, quantity): number}, of those that models say."""
+        """{(model, quantity): number}, of those that models compute."""
         return {(r["model"], r["quantity"]): float(r["value"]) for r in rows_of(self.folder / "comparison.csv") if r["value"]}
 
     @cached_property
     def reasons(self):
-        """{(model, quantity): why the model cannot say it}."""
+        """{(model, quantity): why the model has no value}."""
         return {(r["model"], r["quantity"]): r["reason"] for r in rows_of(self.folder / "comparison.csv") if not r["value"]}
 
     @property
@@ -97,5 +153,9 @@ class Result:
 
 
 def said(runs, quantity):
-    """[(result, model, number)] of all runs and models that say it."""
+    """[(result, model, number)] of all runs and models that have a value."""
     return [(r, m, r.value(m, quantity)) for _, r in runs for m in r.titles if r.value(m, quantity) is not None]
+
+
+if __name__ == "__main__":
+    write_costs(HERE / COSTS, measured_costs(sys.argv[1]))

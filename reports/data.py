@@ -1,4 +1,4 @@
-"""Runs the programs whose inputs changed, and knows which results match the manifest."""
+"""Runs the programs whose inputs changed, and checks which results match the manifest."""
 
 import subprocess
 from pathlib import Path
@@ -7,7 +7,7 @@ import fingerprint
 from fingerprint import Stale
 from manifest import text
 
-# What a result folder holds about the machine, not about the case.
+# Files of a result folder that depend on the machine, not on the case.
 NOT_DATA = {"timing.json"}
 
 
@@ -58,7 +58,7 @@ class Data:
 
     def update(self, run):
         """Runs the program when the inputs changed; returns whether it did. A result that was
-        changed by hand is not overwritten: that stays Stale."""
+        changed manually is not overwritten: that stays Stale."""
         stamp = fingerprint.read(self.stamp(run))
         inputs = self.inputs(run)
         if stamp.get("inputs") == inputs and self.result(run).is_dir():

@@ -81,14 +81,14 @@ def draw_triangles(ax, polygons, colours, order, edge="face", width=0.3):
 
 
 def add_depth_bar(figure, ax, norm):
-    """The scale of depth, deeper downwards; the arrow stands for the wall above."""
+    """The scale of depth, deeper downwards; the arrow marks the wall above."""
     bar = figure.colorbar(ScalarMappable(norm, COLOURS), ax=ax, shrink=0.8, pad=0.03, extend="min")
     bar.set_label("depth z (mm), down")
     bar.ax.invert_yaxis()
 
 
 def caption(summary):
-    """One line that says which run the figure shows; every number comes from the summary."""
+    """One line that names the run; every number comes from the summary."""
     name = summary.get("title") or "TDBD run"
     return f"{name}: {summary['revolutions']:.4g} revolutions, {summary['steps']} steps"
 
@@ -211,12 +211,12 @@ def finish(figure, summary, path):
 
 def force_pictures(folder, summary, output):
     """Forces of the cutters, if the bit has some, and the traces of the run."""
-    from figures import drilling_traces, forces_by_cutter  # here: their style is not this file's
+    from figures import drilling  # here: their style is not this file's
 
     if any(part["name"].startswith("cutter-") for part in summary["forces"]):
-        finish(forces_by_cutter.draw_summary(summary), summary, output / "forces.png")
+        finish(drilling.draw_summary(summary), summary, output / "forces.png")
     words = summary.get("diagnosis", {}).get("text", "at a given rate of penetration")
-    finish(drilling_traces.draw_folder(folder, f"{caption(summary)}\n{words}"), summary, output / "traces.png")
+    finish(drilling.draw_folder(folder, f"{caption(summary)}\n{words}"), summary, output / "traces.png")
 
 
 def run_pictures(folder, output):

@@ -18,7 +18,7 @@ SUFFIX = {"png": ".png", "svg": ".svg", "table": ".json"}
 
 
 class Inputs:
-    """What a figure's script sees: result folders of its runs, rows of its tables, files of its sources."""
+    """The input of the function of a figure: result folders of its runs, rows of its tables, files of its sources."""
 
     def __init__(self, groups, tables, root, sources):
         self.groups, self.tables, self.root, self.sources = groups, tables, root, sources
@@ -114,7 +114,7 @@ class Drawing:
 
     def inputs(self, figure):
         """Fingerprint of all that decides the picture: script, style, results, tables, sources, versions."""
-        scripts = fingerprint.of_scripts(SCRIPTS, *(SCRIPTS / f"{n}.py" for n in (figure.script, *COMMON)))
+        scripts = fingerprint.of_scripts(SCRIPTS, *(SCRIPTS / f"{n}.py" for n in (figure.script.partition(".")[0], *COMMON)))
         results = [fingerprint.read(self.data.stamp(r)).get("files") for r in self.runs(figure)]
         files = [[str(f.relative_to(self.data.root)), fingerprint.of_file(f)] for f in self.sources(figure)]
         return fingerprint.of_value([scripts, results, [self.rows(t) for t in figure.tables], files, figure.form,
@@ -125,10 +125,11 @@ class Drawing:
         matplotlib.use("Agg")
         groups = {g: [(r.settings, self.data.result(r)) for r in self.manifest.group(g) if self.is_made(r)]
                   for g in figure.runs}
-        script = importlib.import_module(f"figures.{figure.script}")
+        module, _, name = figure.script.partition(".")
+        function = getattr(importlib.import_module(f"figures.{module}"), name or ("table" if figure.form == "table" else "draw"))
         given = Inputs(groups, {t: self.rows(t) for t in figure.tables}, self.data.root, self.sources(figure))
         try:
-            made = script.table(given) if figure.form == "table" else script.draw(given)
+            made = function(given)
         except (ArithmeticError, LookupError, OSError, ValueError) as error:
             raise Stale(f"figure {figure.name}: cannot be drawn of its data: {error!r}") from error
         self.folder.mkdir(parents=True, exist_ok=True)

@@ -122,17 +122,17 @@ def share_of_limit(e):
 
 
 MOST = 3.0  # a limit may be so many times what is measured
-ROUNDING = 1e-12  # below it what is measured hangs on the order in which a compiler adds
+ROUNDING = 1e-12  # smaller values depend on the order in which a compiler adds
 
 
 def allowed(limit):
-    """What a limit leaves room for: X of "<= X" and of "Y +- X"; 0 where it is given in other words."""
+    """The width of a limit: X of "<= X" and of "Y +- X"; 0 where it is given in other words."""
     found = re.match(rf"(?:<=|{NUMBER} \+-) {NUMBER}", limit)
     return float(found[2]) if found else 0.0
 
 
 def loose_limits(evidence):
-    """Limits that are wider than three times the worst that one test measures against them, and do not say why ("<= 0.1; wide: REASON"),
+    """Limits that are wider than three times the worst that one test measures against them, and give no reason ("<= 0.1; wide: REASON"),
     as a list of problems."""
     worst = {}
     for e in evidence:
@@ -144,8 +144,8 @@ def loose_limits(evidence):
 
 
 def missed_limits(evidence):
-    """Measurements beyond their limit with the verdict "holds", or with "holds with limits" where no words after the
-    number say what is missed, as a list of problems."""
+    """Measurements beyond their limit with the verdict "holds", or with "holds with limits" without a text after the
+    number that explains what is missed, as a list of problems."""
     plain = rf"(?:<=|{NUMBER} \+-) {NUMBER}(?:; wide: .*)?"
     return [f"evidence of {e.claim}: {e.test} measured {e.measured:g} of {e.what!r}, beyond the limit {e.limit!r}, with the verdict "
             f"{e.verdict!r}; a measurement beyond its limit refutes the claim" for e in evidence

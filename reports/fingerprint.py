@@ -1,4 +1,4 @@
-"""Fingerprints of inputs, and the stamps that say what an output was made from."""
+"""Fingerprints of inputs, and the stamps that record what an output was made from."""
 
 import ast
 import hashlib
@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 class Stale(Exception):
-    """Something is missing or was made from other inputs; the message says what and what to do."""
+    """Something is missing or was made from other inputs; the message names it and the remedy."""
 
 
 def of_bytes(*parts):
@@ -81,7 +81,7 @@ def objects(build, program):
 def of_program(build, program):
     """What decides a program's numbers, and not the commit that it was built from.
 
-    The executable holds the commit's name, so that its bytes change with every commit. The objects
+    The executable contains the name of the commit, so that its bytes change with every commit. The objects
     that it is linked from do not, but for the one with the provenance: a change in them may change a
     number, and a commit that changes no machine code reruns nothing. A program without objects (a
     script) is its own bytes.

@@ -3,8 +3,8 @@
 
     reports/make.py [--quick | --check | --evidence-only] [--build DIR] [--output DIR]
 
-It runs what changed and nothing else, through the program in the build folder, draws what changed,
-and writes OUTPUT/index.html. With --check it makes nothing and says all that is stale.
+Repeats the runs and draws the figures whose inputs changed, with the program in the build folder, and
+writes OUTPUT/index.html. With --check it makes nothing and lists everything that is out of date.
 """
 
 import argparse
@@ -24,7 +24,6 @@ import comparison
 import evidence
 import manifest as manifests
 import page
-import page_contents
 import readme
 import stated
 import studies
@@ -37,7 +36,7 @@ from work import gather, gather_at_once
 HERE = Path(__file__).resolve().parent
 
 
-def told(update, subject):
+def report_time(update, subject):
     began = time.monotonic()
     if update(subject):
         print(f"made {subject.name} ({time.monotonic() - began:.1f} s)", flush=True)
@@ -47,10 +46,10 @@ def update(manifest, data, drawing, pages, others):
     """Runs and draws what changed; returns problems. No figure is drawn from failed runs. `others` need no run of the
     manifest, and take longest: they begin first."""
     runs = [r for r in manifest.runs if drawing.is_made(r)]
-    problems = gather_at_once([(partial(told, o.update), r) for o in reversed(others) for r in o.runs()]
-                              + [(partial(told, data.update), r) for r in runs])
-    return problems or gather_at_once([(partial(told, p.update), r) for p in reversed(pages) for r in p.runs()]
-                                      + [(partial(told, drawing.update), f) for f in manifest.figures])
+    problems = gather_at_once([(partial(report_time, o.update), r) for o in reversed(others) for r in o.runs()]
+                              + [(partial(report_time, data.update), r) for r in runs])
+    return problems or gather_at_once([(partial(report_time, p.update), r) for p in reversed(pages) for r in p.runs()]
+                                      + [(partial(report_time, drawing.update), f) for f in manifest.figures])
 
 
 def stale(manifest, data, drawing, pages):
@@ -76,7 +75,7 @@ def stale_page(html, shown):
 
 
 def missing_counterparts(index, calibrated):
-    """Counterparts of the thesis's chapter 6 that its script did not make; nothing is asked where it did not run."""
+    """Counterparts of the thesis's chapter 6 that its script did not make; none if it did not run."""
     made = {i["name"] for i in calibrated.items(calibrations.CHAPTER_6)}
     return thesis_index.missing(index, made or None)
 
@@ -85,8 +84,8 @@ def parse(arguments):
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     mode = parser.add_mutually_exclusive_group()
     mode.add_argument("--quick", action="store_true", help="shorter cases; missing evidence is no error")
-    mode.add_argument("--check", action="store_true", help="make nothing, say what is stale")
-    mode.add_argument("--evidence-only", action="store_true", help="only ask whether the evidence is fresh")
+    mode.add_argument("--check", action="store_true", help="make nothing, list what is out of date")
+    mode.add_argument("--evidence-only", action="store_true", help="only check whether the evidence is up to date")
     parser.add_argument("--root", type=Path, default=HERE.parent, help="where cases/ and reports/ are")
     parser.add_argument("--build", type=Path, help="build folder (build/release)")
     parser.add_argument("--output", type=Path, help="where the report goes (results/report)")
@@ -98,10 +97,10 @@ def parse(arguments):
 
 
 def report(chosen):
-    """Does what the arguments say; returns problems."""
+    """Makes or checks the report as the arguments say; returns problems."""
     whole = manifests.read(chosen.root / "reports")
     index = thesis_index.read(chosen.root, whole)
-    page_contents.chapters(whole)  # every claim has its place
+    page.chapters(whole)  # every claim has its place
     manifest = manifests.read(chosen.root / "reports", chosen.quick)
     folder = Path(os.environ.get("TDBD_EVIDENCE") or chosen.build / "evidence")
     found = evidence.collect(folder, chosen.build, manifest.claims)

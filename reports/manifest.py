@@ -38,7 +38,7 @@ class Run:
 class Figure:
     name: str
     script: str
-    thesis: str  # number of the figure in the thesis; empty: ours
+    thesis: str  # number of the figure in the thesis; empty: an addition of TDBD
     title: str
     shows: str
     reconstructed: str  # what of it is; empty: nothing

@@ -1,10 +1,11 @@
-"""The evidence page: one HTML file with everything in it."""
+"""The evidence page, one HTML file: its chapters with the claims and figures of each, and everything that it embeds."""
 
 import base64
 import json
 import platform
 import re
 import shlex
+from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 
@@ -14,12 +15,62 @@ from markupsafe import Markup, escape
 import calibrations
 import class_table
 import evidence
-import page_contents
 import studies
 import thesis_index
 from drawing import DPI
+from manifest import ManifestError
 
 HERE = Path(__file__).parent
+
+
+# Begin of the slugs of its claims, chapter of the thesis as in "4.2", title.
+CHAPTERS = (
+    ("chapter1", "1", "Chapter 1: cones, tracking and whirl"),
+    ("chapter2", "2", "Chapter 2: models and the drill string"),
+    ("chapter3", "3", "Chapter 3: the bit"),
+    ("chapter4", "4", "Chapter 4: the rock"),
+    ("chapter5", "5", "Chapter 5: the integrator"),
+    ("chapter6", "6", "Chapter 6: forces"),
+    ("appendix-a", "A", "Appendix A: the bits"),
+    ("appendix-b", "B", "Appendix B: diagrams of the program"),
+    ("appendix-c", "C", "Appendix C: the force law, reconstructed"),
+    ("appendix-d", "D", "Appendix D: other pairings of bits"),
+    ("literature", "", "Force laws of the literature"),
+    ("ours", "", "Our own claims"),
+)
+OURS = "ours"
+
+
+@dataclass(frozen=True)
+class Chapter:
+    slug: str
+    title: str
+    claims: tuple
+    figures: tuple  # of the manifest
+
+
+def slug_of(figure):
+    """The chapter of a figure: that of its first number in the thesis, else that of its first claim, else that of additions of TDBD."""
+    for slug, number, _ in CHAPTERS:
+        if number and any(n.split(".")[0] == number for n in thesis_index.numbers(figure.thesis)[:1]):
+            return slug
+    return next((c.split("/")[0] for c in figure.claims), OURS)
+
+
+def chapters(manifest):
+    """All chapters of which there is something, in their order. Raises ManifestError for a claim of none."""
+    known = {slug for slug, _, _ in CHAPTERS}
+    for c in manifest.claims:
+        if c.slug.split("/")[0] not in known:
+            raise ManifestError(f"reports/claims.toml: an orphan, the page has no chapter for {c.slug}; known are {', '.join(sorted(known))}")
+    found = [Chapter(slug, title, tuple(c for c in manifest.claims if c.slug.split("/")[0] == slug),
+                     tuple(f for f in manifest.figures if slug_of(f) == slug)) for slug, _, title in CHAPTERS]
+    return [c for c in found if c.claims or c.figures]
+
+
+def label(figure):
+    """How a link names a figure: by its number in the thesis, else by its own name."""
+    return f"{'table ' if figure.kind() == 'table' else ''}{figure.thesis or figure.name}"
 
 
 # Letters in a picture are then as large as the text around it: they have 9 points, and CSS has 96 pixels an inch.
@@ -115,9 +166,9 @@ def write(path, manifest, data, drawing, made, makers, found, thesis, is_quick):
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), autoescape=True,
                                      undefined=jinja2.StrictUndefined, trim_blocks=True,
                                      lstrip_blocks=True)
-    environment.filters |= {"breakable": breakable, "label": page_contents.label}
+    environment.filters |= {"breakable": breakable, "label": label}
     html = environment.get_template("page.html.j2").render(
-        chapters=page_contents.chapters(manifest), rows=rows(manifest, found), pictures=pictures(manifest, data, drawing), studies=shown_studies(made),
+        chapters=chapters(manifest), rows=rows(manifest, found), pictures=pictures(manifest, data, drawing), studies=shown_studies(made),
         sets=shown_sets(makers),
         bits=manifest.bit_pages, animations=manifest.animations, pages3d=manifest.pages3d, classes=class_table.rows(data.root),
         thesis=thesis_rows(*thesis, manifest), thesis_counts=thesis_index.counts(thesis_index.rows(*thesis)),

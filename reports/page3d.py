@@ -4,7 +4,7 @@
     reports/page3d.py FOLDER [-o FILE] [--most 50]      FOLDER/result.html
 
 Run with --set output.frames_every=STEPS to see the hole grow; without it the page shows the end. A frame that cannot be
-read is named and left out. Exit code 2 and one line on what is wrong when the folder is not one of `tdbd run`.
+read is named and left out. Exit code 2 and one line with the reason when the folder is not one of `tdbd run`.
 """
 
 import argparse
@@ -25,10 +25,8 @@ from matplotlib.colors import Normalize
 from PIL import Image
 
 import animate
-import page3d_areas
-import page3d_facts
-import page3d_frames
 import page3d_pack as pack
+import page3d_run as of_run
 import page3d_scene as scene
 from figures import bit_motion, render, rock_scene
 
@@ -38,7 +36,7 @@ STILL = 480  # pixels to a side of the picture for browsers that cannot draw
 
 
 def still(frames, bit):
-    """The end as a picture, for browsers that cannot draw: the address of an image that holds it."""
+    """The end as a picture, for browsers that cannot draw: a data URL."""
     last = frames[-1].rock
     low, high = scene.depth_range(frames)
     camera = rock_scene.camera(last.points, rock_scene.INTO_HOLE, (STILL, STILL), dpi=1)
@@ -49,27 +47,27 @@ def still(frames, bit):
 
 
 def in_script(value):
-    """JSON that no HTML reader takes for the end of its element."""
+    """JSON in which no HTML reader finds the end of its element."""
     return Markup(json.dumps(value, separators=(",", ":")).replace("<", "\\u003c"))
 
 
 def html_of(folder, most):
     """(page, frames). Raises ValueError."""
-    run = page3d_facts.summary(folder)
-    read = page3d_frames.read(folder, most)
+    run = of_run.summary(folder)
+    read = of_run.read_frames(folder, most)
     names, group_of_part = scene.groups(run, read.found)
     box, entries, parts = scene.packed_rock(read.found, group_of_part)
-    bit, bit_part = scene.packed_bit(read.bit, read.bodies, page3d_areas.of_bit(folder))
+    bit, bit_part = scene.packed_bit(read.bit, read.bodies, scene.areas_of_bit(folder))
     header = {"title": run["title"], "box": scene.boxed(box), "frames": entries, "missing": read.missing, "listed": read.listed,
               "bit": bit, "colours": scene.colours(read.found, names),
               "revolutions_per_s": run["revolutions"] / run["duration_s"] if run["duration_s"] else 0.0,
-              "traces": page3d_facts.traces(folder)}
+              "traces": of_run.traces(folder)}
     case = folder / "case.toml"
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "web"), autoescape=True, trim_blocks=True,
                                      undefined=jinja2.StrictUndefined, lstrip_blocks=True)
     page = environment.get_template("page3d.html.j2").render(
         run=run, missing=read.missing, count=len(entries), areas="areas" in bit, header=in_script(header), data=base64.b64encode(pack.deflated([*parts, bit_part])).decode(),
-        facts=page3d_facts.facts(run), provenance=page3d_facts.provenance(run), diagnosis=page3d_facts.diagnosis(run),
+        facts=of_run.facts(run), provenance=of_run.provenance(run), diagnosis=of_run.diagnosis(run),
         case=case.read_text(encoding="utf-8") if case.is_file() else "", still=still(read.found, bit_motion.placed(read.bit, read.bodies, read.found[-1].poses)),
         style=Markup((HERE / "web/page3d.css").read_text(encoding="utf-8")),
         script=Markup("\n".join((HERE / "web" / name).read_text(encoding="utf-8") for name in SCRIPTS)))

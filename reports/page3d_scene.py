@@ -1,13 +1,38 @@
-"""The frames as a page holds them: numbers packed, a header that tells how many, and colours."""
+"""The frames as a 3-D page stores them: packed numbers, a header with their counts, and colours; and the areas of the bit that have
+properties of their own."""
 
 import colorsys
+from pathlib import Path
 
 import numpy as np
 from matplotlib.colors import to_hex
 
-import page3d_areas
 import page3d_pack as pack
-from figures import bit_in_hole, rock_scene
+from figures import hole_pictures, rock_scene
+from figures import results
+
+OWN, OWN_COLOUR = "no area", "#b9bec4"
+
+
+def words_of(part):
+    """Of an entry of `parts` in bit.json: "grade (density), hard (law)"; OWN where no area gives a property."""
+    given = {}
+    for what, area in part.get("areas", {}).items():
+        given.setdefault(area, []).append(what)
+    words = [f"{area} ({', '.join(what)})" for area, what in given.items()]
+    words += [f"{area} (law)" for area in part.get("law", {}).get("areas", [])]
+    return ", ".join(words) or OWN
+
+
+def areas_of_bit(folder):
+    """(names, number of each part's): the first are the parts without an area; None where no part has one."""
+    if not (Path(folder) / "bit.json").is_file():
+        return None
+    parts = results.read_json(folder, "bit.json").get("parts", [])
+    words = [words_of(part) for part in parts]
+    names = [OWN, *dict.fromkeys(w for w in words if w != OWN)]
+    return (names, [names.index(w) for w in words]) if len(names) > 1 else None
+
 
 DIGITS = 8  # of poses: a hundredth of a micron
 UNCUT, UNCUT_COLOUR = "not cut", "#b9b2a6"
@@ -49,10 +74,10 @@ def packed_rock(frames, group_of_part):
 
 
 def packed_bit(bit, bodies, areas=None):
-    """(the header's entry, bytes): pieces of one body each; `hull` is what hides the bottom; `areas`: page3d_areas.of_bit."""
-    box, layer = pack.grid(bit.points), bit_in_hole.bit_layer(bit)
+    """(the header's entry, bytes): pieces of one body each; `hull` is what hides the bottom; `areas`: areas_of_bit."""
+    box, layer = pack.grid(bit.points), hole_pictures.bit_layer(bit)
     colours, colour = np.unique(layer.colours, axis=0, return_inverse=True)
-    hull = (layer.colours == bit_in_hole.BODY).all(axis=1)
+    hull = (layer.colours == hole_pictures.BODY).all(axis=1)
     body = bodies[bit.triangles[:, 0]]
     order = np.lexsort((np.arange(len(hull)), body, hull))
     arrays = pack.on_grid(bit.points, *box), bit.triangles[order], colour.ravel()[order]
@@ -62,7 +87,7 @@ def packed_bit(bit, bodies, areas=None):
              "colours": [to_hex(c) for c in colours]}
     if areas:
         names, area_of_part = areas
-        entry["areas"] = {"names": names, "colours": [page3d_areas.OWN_COLOUR, *group_colours(len(names) - 1)]}
+        entry["areas"] = {"names": names, "colours": [OWN_COLOUR, *group_colours(len(names) - 1)]}
         arrays += (np.array(area_of_part)[bit.cell_values["part"].astype(int)][order],)
     return entry, b"".join(map(pack.along, arrays))
 

@@ -1,4 +1,4 @@
-"""The tables of a bit's page: what analysis.json says in numbers. Keys that the page does not know are shown as they are."""
+"""The tables of a bit's page: the numbers of analysis.json. Unknown keys are shown unchanged."""
 
 import numpy as np
 
@@ -42,7 +42,7 @@ def shown(value, factor=1):
     if isinstance(value, int) and factor == 1:
         return str(value)
     if isinstance(value, (int, float)):
-        return f"{round(factor * value, 9) + 0.0:.4g}"  # what rounding leaves is no length
+        return f"{round(factor * value, 9) + 0.0:.4g}"  # removes rounding errors
     return str(value)
 
 
@@ -73,7 +73,7 @@ def flattened(path, value):
 
 
 def leftovers(bit):
-    """What the page does not know, of the bit and of its cones; plain keys of cones are columns of their table."""
+    """Keys of the bit and of its cones that the page does not know; plain keys of cones are columns of their table."""
     for key, value in bit.analysis.items():
         if key not in BIT_KEYS:
             yield from flattened(key, value)

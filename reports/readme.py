@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The block of README.md that says what was measured: written anew, or compared.
+"""The block of measurements in README.md: written again, or compared with the data.
 
     reports/readme.py --write [--build DIR]     from evidence and studies; also writes reports/readme.json
     reports/readme.py --check                   README.md and the studies against reports/readme.json
@@ -47,7 +47,7 @@ def measure(root, found, rows=tuple(ROWS)):
 
 
 def place_of(lines):
-    """Where the block stands among the lines of README.md. Raises Stale."""
+    """The lines of the block in README.md. Raises Stale."""
     if lines.count(BEGIN) != 1 or lines.count(END) != 1 or lines.index(END) < lines.index(BEGIN):
         raise Stale(f"README.md: expected one line {BEGIN!r} and after it one {END!r}")
     return lines.index(BEGIN), lines.index(END) + 1
@@ -63,7 +63,7 @@ def write(root, numbers, rows=tuple(ROWS)):
 
 
 def edited_lines(root, numbers, rows=tuple(ROWS)):
-    """Lines of README.md that are not what the numbers say, as a list of problems."""
+    """Lines of README.md that do not match the numbers, as a list of problems."""
     lines = (Path(root) / "README.md").read_text(encoding="utf-8").split("\n")
     try:
         first, end = place_of(lines)
@@ -77,7 +77,7 @@ def edited_lines(root, numbers, rows=tuple(ROWS)):
 
 
 def stale_numbers(root, numbers, found, rows=tuple(ROWS)):
-    """Rows that would read otherwise with what tests and studies say now. `found`: evidence, or None."""
+    """Rows that differ from the present results of tests and studies. `found`: evidence, or None."""
     problems = []
     for row in rows:
         try:

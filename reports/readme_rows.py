@@ -30,7 +30,7 @@ class Measured:
 
 @dataclass(frozen=True)
 class Kept:
-    """A number of a study's data, which stand in the repository."""
+    """A number of the data of a study, which are in the repository."""
     folder: str
     name: str
     of: Callable

@@ -1,20 +1,23 @@
 #!/usr/bin/python3
-"""Numbers in the prose of READMEs: each comes from a file of the repository, or says what was chosen rather than measured.
+"""Numbers in the prose of READMEs: each comes from a file of the repository, or was chosen rather than measured.
 
-    reports/stated.py --write     numbers of the prose anew, from the data
+    reports/stated.py --write     writes the numbers of the prose again, from the data
     reports/stated.py --check     exit code 1 if a number is not what the data say, or comes from nowhere
 
-stated.py beside a README.md has a function stated(), which yields (PHRASE, NUMBER, ...): a piece of the text with a place for
-each number, as str.format has them; and a list GIVEN of pieces of the text whose numbers were chosen: sizes, speeds, what was
-asked. Every number of the prose stands in one of the two. Code, tables, dates, citations and links are not prose.
-`scripts/report --readme` calls the first, tests and `scripts/report --check` the second.
+`[stated]` of the study.toml beside a README.md has two lists. Each entry of `numbers` is a piece of the text with a place for
+each number, as str.format has them, and an expression for each number, or one for all: a list. `given` has pieces of the text
+whose numbers were chosen: sizes, speeds, goals. stated() of study.py yields further entries of `numbers`, with values in place
+of expressions. Every number of the prose is in one of the two lists. Code, tables, dates, citations and links are not prose.
+`scripts/report --readme` calls the first command, tests and `scripts/report --check` the second.
 """
 
 import argparse
-import importlib.util
 import re
 import sys
 from pathlib import Path
+
+import study as studies_of
+from fingerprint import Stale
 
 HERE = Path(__file__).resolve().parent
 REMEDY = "run scripts/report --readme"
@@ -29,14 +32,14 @@ NOT_PROSE = [re.compile(pattern, flags) for pattern, flags in (
     (r"`[^`\n]*`", 0),
     (r"\]\([^)\n]*\)", 0),
     (r"\d*\^-?[\d.]+", 0),  # an exponent
-    (r"\b\d{4}-\d{2}-\d{2}(?:(?:,| and| to) -?\d{2})*\b", 0),
-    (r"\b(?:[Tt]hesis|figs?\.|[Ff]igures?|ch\.|app\.|eqs?\.|[Tt]ables?|[Cc]hapters?|[Ss]ections?) \d[\d.]*(?:(?:,| and| to) \d[\d.]*)*", 0),
-    (r"\b[\w/]+ (?:\(\d+\)(?:,? (?:and |to )?)?)+", 0),  # rock (12)
+    (r"\b\d{4}-\d{2}-\d{2}(?:(?:,|\sand|\sto)\s-?\d{2})*\b", 0),
+    (r"\b(?:[Tt]hesis|figs?\.|[Ff]igures?|ch\.|app\.|eqs?\.|[Tt]ables?|[Cc]hapters?|[Ss]ections?)\s\d[\d.]*(?:(?:,|\sand|\sto)\s\d[\d.]*)*", 0),
+    (r"\b[\w/]+\s(?:\(\d+\)(?:,?\s(?:and\s|to\s)?)?)+", 0),  # rock (12)
 )]
 
 
 def prose(text):
-    """The text with blanks for all that is no prose."""
+    """The text with blanks in place of everything that is not prose."""
     for pattern in NOT_PROSE:
         text = pattern.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
     return text
@@ -68,19 +71,25 @@ def written(field, number):
     return re.sub(r"e([-+])0*(\d)", lambda e: "e" + e.group(1).replace("+", "") + e.group(2), field.format(number))
 
 
-class Stated:
-    """A README and what its stated.py says of it."""
+def values_of(study, expressions):
+    """The numbers of expressions; one that gives a list or a tuple gives several."""
+    found = [study.value(e) for e in expressions]
+    return [n for value in found for n in (value if isinstance(value, (list, tuple)) else [value])]
 
-    def __init__(self, root, module):
-        self.root, self.readme = Path(root), module.parent / "README.md"
-        spec = importlib.util.spec_from_file_location(f"stated_{abs(hash(str(module)))}", module)
-        loaded = importlib.util.module_from_spec(spec)
-        sys.path.insert(0, str(HERE))
-        try:
-            spec.loader.exec_module(loaded)
-            self.phrases, self.given = [tuple(p) for p in loaded.stated()], list(loaded.GIVEN)
-        finally:
-            sys.path.remove(str(HERE))
+
+class Stated:
+    """A README with the numbers that the study.toml and the study.py beside it state. Raises Stale when they fail."""
+
+    def __init__(self, root, readme):
+        self.root, self.readme = Path(root), readme
+        study = studies_of.load(readme.parent)
+        plan = study.plan.get("stated", {})
+        self.given = list(plan.get("given", []))
+        self.phrases = [(phrase, *values_of(study, expressions)) for phrase, *expressions in plan.get("numbers", [])]
+        self.says = bool(self.given or self.phrases)
+        if own := study.function("stated"):
+            self.phrases += [tuple(p) for p in own()]
+            self.says = True
 
     def name(self):
         return str(self.readme.relative_to(self.root))
@@ -94,7 +103,7 @@ class Stated:
         for phrase, *values in self.phrases:
             fields, found = FIELD.findall(phrase), list(pattern_of(phrase).finditer(text))
             if len(fields) != len(values) or not fields:
-                problems.append(f"{self.name()}: stated.py gives {len(values)} numbers for {phrase!r}, which has {len(fields)} places")
+                problems.append(f"{self.name()}: study.toml gives {len(values)} numbers for {phrase!r}, which has {len(fields)} places")
             elif len(found) != 1:
                 problems.append(f"{self.name()}: found {len(found)} pieces of text like {phrase!r}, expected 1")
             else:
@@ -109,19 +118,19 @@ class Stated:
         return problems + self.unsaid(text, [span for span, *_ in numbers])
 
     def unsaid(self, text, known):
-        """Numbers of the prose that come from nowhere, and pieces of GIVEN that are gone."""
+        """Numbers of the prose without a source, and given pieces that the text no longer has."""
         problems = []
         for piece in self.given:
             found = [m.span() for m in re.finditer(spaced(piece), text)]
             known = known + found
             if not found:
-                problems.append(f"{self.name()}: stated.py has {piece!r} among what is given, which the text has not")
-        problems += [f"{self.name()}, line {line_of(text, m.span())}: {m.group()} comes from no file; state it or give it in stated.py beside it"
+                problems.append(f"{self.name()}: study.toml has {piece!r} among what is given, which the text does not have")
+        problems += [f"{self.name()}, line {line_of(text, m.span())}: {m.group()} comes from no file; put it into [stated] of the study.toml beside it"
                      for m in WORD.finditer(prose(text)) if not any(a <= m.start() and m.end() <= b for a, b in known)]
         return problems
 
     def write(self):
-        """Puts the numbers of the data into the text. Returns what cannot be done so."""
+        """Writes the numbers of the data into the text. Returns the problems that remain."""
         text = self.text()
         numbers, problems = self.places(text)
         for (first, end), _, expected, _ in sorted(numbers, reverse=True):
@@ -141,14 +150,18 @@ def must_state(root):
 
 
 def find(root):
-    """(what each stated.py says, problems of READMEs that lack one)."""
+    """(READMEs with their stated numbers, problems of READMEs without any)."""
     root, found, problems = Path(root), [], []
     for readme in must_state(root):
-        module = readme.with_name("stated.py")
-        if module.is_file():
-            found.append(Stated(root, module))
-        elif numbers := WORD.findall(prose(readme.read_text(encoding="utf-8"))):
-            problems.append(f"{readme.relative_to(root)}: {len(numbers)} numbers and no stated.py beside it, which says where they come from")
+        try:
+            one = Stated(root, readme)
+        except Stale as error:
+            problems.append(str(error))
+            continue
+        if one.says:
+            found.append(one)
+        elif numbers := WORD.findall(prose(one.text())):
+            problems.append(f"{one.name()}: {len(numbers)} numbers and no [stated] in a study.toml beside it, which says where they come from")
     return found, problems
 
 

@@ -1,9 +1,16 @@
-"""The studies of reports/studies: what was measured once, described in a README, with a table or a figure made from its data.
+#!/usr/bin/python3
+"""The studies of reports/studies: questions that were measured once, each with a README, data, and a table or a figure of them.
 
-A study is a folder with README.md (its first line is "# TITLE"), data files, and make.py, which takes an output
-folder as its only argument and writes table.md, figure.png, or both there.
+    reports/studies.py NAME [--output DIR]      table.md and figure.png of a study, from its data
+    reports/studies.py NAME --measure           measures its data again; requires a release build
+        --build DIR       another build (build/release)
+        --results DIR     keeps the runs in DIR, and does not repeat those that are there
+        --only FILE ...   only these CSV files, or parts that the study's README names
+
+`scripts/report --study NAME` calls it. study.py reads a study, study_figures.py makes its table and figure, study_runs.py measures.
 """
 
+import argparse
 import re
 import subprocess
 import sys
@@ -11,18 +18,23 @@ from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 
-import markdown
-from markupsafe import Markup
+import system_python
+
+system_python.require("markdown", "matplotlib", "numpy")
 
 import fingerprint
 from fingerprint import Stale
 
-TIME_LIMIT = 120  # s: make.py reads data, it measures nothing
+HERE = Path(__file__).resolve().parent
+TIME_LIMIT = 120  # s: making reads data, it measures nothing
 PRODUCTS = ("table.md", "figure.png")
+MADE_BY = ("study.py", "study_figures.py", "study_tools.py", "figures/style.py")  # a change of these makes all studies again
 
 
 @dataclass(frozen=True)
-class Study:
+class Shown:
+    """What the page shows of a study."""
+
     name: str
     folder: Path
     title: str
@@ -30,14 +42,15 @@ class Study:
 
 
 def read(folder):
-    """The study in a folder. Raises Stale when README.md or make.py is missing or the title is."""
-    for file in ("README.md", "make.py"):
-        if not (folder / file).is_file():
-            raise Stale(f"study {folder.name}: {folder / file} is missing")
+    """The study in a folder. Raises Stale when README.md is missing, its title is, or both study.toml and study.py are."""
+    if not (folder / "README.md").is_file():
+        raise Stale(f"study {folder.name}: {folder / 'README.md'} is missing")
+    if not any((folder / file).is_file() for file in ("study.toml", "study.py")):
+        raise Stale(f"study {folder.name}: {folder / 'study.toml'} is missing")
     title, _, text = (folder / "README.md").read_text(encoding="utf-8").partition("\n")
     if not title.startswith("# "):
         raise Stale(f"study {folder.name}: README.md begins with {title!r}, expected \"# TITLE\"")
-    return Study(folder.name, folder, title[2:].strip(), text)
+    return Shown(folder.name, folder, title[2:].strip(), text)
 
 
 def find(root):
@@ -46,7 +59,9 @@ def find(root):
 
 
 def as_html(text):
-    """Markdown as HTML; its headings stand below those of the page."""
+    """Markdown as HTML; its headings are one level below those of the page."""
+    import markdown
+    from markupsafe import Markup
     html = markdown.markdown(text, extensions=["tables", "fenced_code"], output_format="html")
     return Markup(re.sub(r"<(/?)h[1-6]>", r"<\1h4>", html))
 
@@ -71,29 +86,30 @@ class Studies:
         return [self.folder(study) / p for p in PRODUCTS if (self.folder(study) / p).is_file()]
 
     def inputs(self, study):
-        """Fingerprint of the study's files, and of what draws them."""
+        """Fingerprint of the study's files, and of what makes tables and figures of them."""
         files = sorted(f for f in study.folder.rglob("*") if f.is_file() and "__pycache__" not in f.parts)
-        return fingerprint.of_value([[[str(f.relative_to(study.folder)), fingerprint.of_file(f)] for f in files],
-                                     version("matplotlib"), version("numpy")])
+        own = [[str(f.relative_to(study.folder)), fingerprint.of_file(f)] for f in files]
+        shared = [fingerprint.of_file(HERE / name) for name in MADE_BY]
+        return fingerprint.of_value([own, shared, version("matplotlib"), version("numpy")])
 
     def is_current(self, study):
         return bool(self.products(study)) and fingerprint.read(self.stamp(study)).get("inputs") == self.inputs(study)
 
     def call(self, study):
-        """Runs make.py. Raises Stale when it fails or writes neither table nor figure."""
+        """Makes table and figure in a process of its own. Raises Stale when that fails or writes neither."""
         folder = self.folder(study)
         folder.mkdir(parents=True, exist_ok=True)
         for product in self.products(study):
             product.unlink()
         try:
-            done = subprocess.run([sys.executable, "-B", study.folder / "make.py", folder], capture_output=True, text=True,
-                                  timeout=TIME_LIMIT, check=False)
+            done = subprocess.run([sys.executable, "-B", __file__, study.folder, "--output", folder],
+                                  capture_output=True, text=True, timeout=TIME_LIMIT, check=False)
         except subprocess.TimeoutExpired as error:
-            raise Stale(f"study {study.name}: make.py took more than {TIME_LIMIT} s; it should only read data") from error
+            raise Stale(f"study {study.name}: took more than {TIME_LIMIT} s to make; it should only read data") from error
         if done.returncode != 0:
-            raise Stale(f"study {study.name}: make.py failed with exit code {done.returncode}\n{done.stderr.strip()}")
+            raise Stale(f"study {study.name}: making failed with exit code {done.returncode}\n{done.stderr.strip()}")
         if not self.products(study):
-            raise Stale(f"study {study.name}: make.py wrote neither {' nor '.join(PRODUCTS)}")
+            raise Stale(f"study {study.name}: made neither {' nor '.join(PRODUCTS)}")
 
     def update(self, study):
         """Makes a stale study; returns whether it did."""
@@ -117,3 +133,41 @@ class Studies:
         """The path of the figure; None when there is none."""
         path = self.folder(study) / "figure.png"
         return path if path.is_file() else None
+
+
+def make(study, out):
+    """Writes OUT/table.md and OUT/figure.png, those that the study has."""
+    import study_figures
+    out.mkdir(parents=True, exist_ok=True)
+    study_figures.write_tables(study, out)
+    study_figures.write_figure(study, out)
+
+
+def main(arguments):
+    import study as one
+    import study_runs
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("study", help="the name of a study, or its folder")
+    parser.add_argument("--output", type=Path, help="where table and figure go (results/report/studies/NAME)")
+    parser.add_argument("--measure", action="store_true", help="measure the data again")
+    parser.add_argument("--build", type=Path, default=HERE.parent / "build/release")
+    parser.add_argument("--results", type=Path, help="keep runs here, and do not repeat those that are there")
+    parser.add_argument("--only", nargs="+", default=(), metavar="FILE", help="measure only these CSV files")
+    chosen = parser.parse_args(arguments)
+    folder = Path(chosen.study) if Path(chosen.study).is_dir() else HERE / "studies" / chosen.study
+    if not folder.is_dir():
+        parser.error(f"found no study {chosen.study}, expected one of {', '.join(s.name for s in find(HERE.parent))}")
+    try:
+        if chosen.measure:
+            study_runs.measure(one.load(folder), chosen.build.resolve(), chosen.results, chosen.only)
+        out = chosen.output or HERE.parent / "results/report/studies" / folder.name
+        make(one.load(folder), out)
+    except Stale as error:
+        sys.exit(f"studies: {error}")
+    if not chosen.output:
+        print(f"made {', '.join(str(out / p) for p in PRODUCTS if (out / p).is_file())}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

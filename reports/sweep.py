@@ -11,6 +11,7 @@ the first figure; points of the non-dominated front stand out. NAME_effects.csv:
 import argparse
 import csv
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 
 import system_python
@@ -21,12 +22,75 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+import netCDF4
 import numpy as np
-
-import sweep_table
 
 plt.rcParams.update({"font.size": 8, "svg.hashsalt": "tdbd"})
 DOT, MEAN, FRONT = "#9bb0c1", "#b3382c", "#1b1b1b"
+BINS = 8  # of a factor with more values than this
+
+
+@dataclass
+class Column:
+    """A factor or a figure over the points. Texts are numbered in the order of their first appearance."""
+
+    name: str
+    label: str
+    values: np.ndarray
+    words: list  # of a factor of texts; empty: numbers
+
+
+@dataclass
+class Table:
+    title: str
+    factors: list
+    figures: list
+    front: np.ndarray  # True: not dominated; all False without goals
+    failed: int
+
+
+def column_of(variable):
+    unit = getattr(variable, "units", "1")
+    name = variable.name
+    if variable.dtype is str:
+        words = list(dict.fromkeys(variable[:]))
+        return Column(name, name, np.array([float(words.index(w)) for w in variable[:]]), words)
+    return Column(name, name if unit == "1" else f"{name} [{unit}]", np.ma.filled(variable[:], np.nan).astype(float), [])
+
+
+def read_table(path):
+    """The points of NAME.nc that are done. Raises OSError where it is no NetCDF file, KeyError where it is no sweep's."""
+    with netCDF4.Dataset(path) as data:
+        done = np.ma.filled(data["status"][:], 1) == 0
+        front = np.ma.filled(data["front"][:], 0) == 1 if "front" in data.variables else np.zeros(done.size, bool)
+        columns = {kind: [column_of(v) for v in data.variables.values() if getattr(v, "long_name", "").startswith(kind)]
+                   for kind in ("factor ", "figure ")}
+        for column in columns["factor "] + columns["figure "]:
+            column.values = column.values[done]
+        return Table(data.title, columns["factor "], columns["figure "], front[done], int((~done).sum()))
+
+
+def groups_of(factor):
+    """[(middle, which points)]: one for each value, or equal shares of the points of a factor that was sampled."""
+    values = np.unique(factor.values)
+    if values.size <= BINS:
+        return [(v, factor.values == v) for v in values]
+    order = np.argsort(factor.values, kind="stable")
+    return [(factor.values[part].mean(), np.isin(np.arange(order.size), part)) for part in np.array_split(order, BINS)]
+
+
+def main_effect(factor, figure):
+    """([place], [mean], share): the means of a figure over groups of a factor, and their variance over the whole
+    variance (eta squared, the first-order sensitivity of a full design). Points whose figure is no number are left out."""
+    known = np.isfinite(figure.values)
+    groups = [(place, figure.values[which & known]) for place, which in groups_of(factor)]
+    groups = [(place, values) for place, values in groups if values.size]
+    if not groups:
+        return [], [], np.nan
+    whole = figure.values[known]
+    between = sum(values.size * (values.mean() - whole.mean()) ** 2 for _, values in groups) / whole.size
+    share = between / whole.var() if whole.var() > 0.0 else 0.0
+    return [place for place, _ in groups], [values.mean() for _, values in groups], share
 
 
 def name_words(factor, axis):
@@ -36,7 +100,7 @@ def name_words(factor, axis):
 
 def draw_effect(axis, factor, figure):
     axis.plot(factor.values, figure.values, ".", color=DOT, ms=3)
-    places, means, share = sweep_table.main_effect(factor, figure)
+    places, means, share = main_effect(factor, figure)
     axis.plot(places, means, "o-", color=MEAN, ms=4, lw=1.2)
     axis.annotate(f"{100.0 * share:.0f} %", (0.97, 0.95), xycoords="axes fraction", ha="right", va="top", color=MEAN)
     name_words(factor, axis)
@@ -65,7 +129,7 @@ def write_effects(table, path):
         out.writerow(["figure", "factor", "share", "means at places"])
         for figure in table.figures:
             for factor in table.factors:
-                places, means, share = sweep_table.main_effect(factor, figure)
+                places, means, share = main_effect(factor, figure)
                 names = [factor.words[round(p)] if factor.words else f"{p:.4g}" for p in places]
                 out.writerow([figure.label, factor.label, f"{share:.3f}", "; ".join(f"{m:.4g} at {n}" for m, n in zip(means, names))])
 
@@ -112,7 +176,7 @@ def main():
     parser.add_argument("-o", "--output", type=Path, help="folder; default: that of the table")
     arguments = parser.parse_args()
     try:
-        table = sweep_table.read(arguments.table)
+        table = read_table(arguments.table)
     except (OSError, KeyError, IndexError, AttributeError) as error:
         sys.exit(f"{arguments.table}: found no table of a sweep ({error}), expected NAME.nc of tdbd sweep")
     if not table.figures or table.front.size == 0:

@@ -9,7 +9,7 @@ MARK = "TDBD_STARTED_AGAIN"
 
 
 def require(*modules):
-    """Returns if all modules are there; else runs the script anew, once, or ends with what is missing."""
+    """Returns if all modules are there; otherwise starts the script again, once, or ends with a message that names the missing ones."""
     missing = [m for m in modules if importlib.util.find_spec(m) is None]
     if not missing:
         return

@@ -1,4 +1,4 @@
-"""Every figure and table of the thesis and what stands for it here: thesis_index.toml, set against manifest.toml."""
+"""Every figure and table of the thesis and its counterparts in TDBD: thesis_index.toml, compared with manifest.toml."""
 
 import re
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ from manifest import ManifestError, checked, load
 
 ENTRY_KEYS = {"number": str, "title": str, "known": str, "instead": str, "counterpart": list, "why": str}
 OPTIONAL = {"instead", "counterpart", "why"}
-KNOWN = ("text", "title")  # what our copy holds of it
+KNOWN = ("text", "title")  # what our copy contains of it
 NUMBER = re.compile(r"(figure|table) ([1-9]|[A-Z])\.([1-9][0-9]*)")
 RANGE = re.compile(r"([1-9]|[A-Z])\.([1-9][0-9]*) to \1\.([1-9][0-9]*)")
 REGENERATED, COUNTERPART, NOT_MADE = "regenerated", "counterpart", "not made"
@@ -26,16 +26,16 @@ class Entry:
 
 @dataclass(frozen=True)
 class Row:
-    """What the page says of one figure or table of the thesis."""
+    """The row of the page for one figure or table of the thesis."""
 
     entry: Entry
     status: str
-    links: tuple  # (kind, name) of what stands for it
+    links: tuple  # (kind, name) of its counterparts
     words: str
 
 
 def numbers(thesis):
-    """The numbers that a figure of the manifest stands for: "4.17, 4.20", "B.9 to B.14"."""
+    """The thesis numbers of a figure of the manifest: "4.17, 4.20", "B.9 to B.14"."""
     found = []
     for part in filter(None, (p.strip() for p in thesis.split(","))):
         span = RANGE.fullmatch(part)
@@ -76,7 +76,7 @@ def gaps(entries):
 
 
 def exists(root, manifest, kind, name):
-    """Whether a counterpart is there. What validation/chapter6 makes is known only when it was made: see `missing`."""
+    """Whether a counterpart exists. Those that validation/chapter6 makes are checked by `missing`."""
     if kind == "chapter6":
         return True
     known = {"figure": {f.name for f in manifest.figures}, "claim": {c.slug for c in manifest.claims}}
@@ -120,7 +120,7 @@ def missing(entries, made):
 
 
 def rows(entries, manifest):
-    """A row for each entry; `manifest` is the whole one, so that --quick says the same."""
+    """A row for each entry; `manifest` is the whole one, so that --quick gives the same rows."""
     drawn = in_manifest(manifest)
     for e in entries:
         own = tuple(("figure", name) for name in drawn.get(e.number, []))

@@ -9,7 +9,7 @@ waiting = []  # actions of the pool at work: its processes are forks, and read t
 
 
 def complaint(action, subject):
-    """What the action says is wrong with its subject; None if nothing is."""
+    """The problem that the action reports for its subject, or None."""
     try:
         action(subject)
     except Stale as stale:
@@ -28,7 +28,7 @@ def complaint_of(index):
 
 def gather_at_once(actions, processes=None):
     """The same in as many processes as there are processors: the first actions begin first, complaints keep their order.
-    What an action leaves must stand in files, since its process ends."""
+    An action must leave its results in files, because its process ends."""
     waiting[:] = actions
     processes = min(processes or os.cpu_count() or 1, len(waiting))
     if processes <= 1:

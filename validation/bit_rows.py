@@ -1,15 +1,15 @@
-"""Records of whole bits from data/full-bits, and how far two campaigns of the same bits differ."""
+"""Records of whole bits from data/full-bits, and the differences between two campaigns with the same bits."""
 
 import math
 
 FT_H = 0.3048 / 3600.0  # m/s
-SMALLEST_DEPTH = 0.3e-3  # m a revolution; below it the bits hardly cut
+SMALLEST_DEPTH = 0.3e-3  # m per revolution; at smaller depths the bits hardly cut
 SPEEDS = {2015: (100, 150, 200), 2019: (80, 120, 160), 2020: (80, 120, 160)}  # nominal, rpm
 ROCK = {"SWG": "sierra-white-granite", "BSS": "berea-sandstone"}
 
 
 def campaign(row):
-    """Two rows of a series of 2020 are dated 2021."""
+    """The year of a test. Two rows of a series of 2020 are dated 2021."""
     return min(int(row["year"]), 2020)
 
 
@@ -18,7 +18,7 @@ def nominal_speed(row):
 
 
 def depth(row):
-    """Of cut, m a revolution."""
+    """Depth of cut, m per revolution."""
     return float(row["ROP_ft_hr"]) * FT_H * 60.0 / float(row["rpm"])
 
 
@@ -27,7 +27,7 @@ def rock(row):
 
 
 def tool(row):
-    """The bit's name in records: maker and blades, rock or campaign, nominal speed."""
+    """The bit's name in records: manufacturer and blades, rock or campaign, nominal speed."""
     if campaign(row) == 2015:
         where = "berea-" if rock(row) == "berea-sandstone" else ""
         return f"ulterra{row['n_blades']}-{where}{nominal_speed(row)}"
@@ -41,7 +41,7 @@ def records(rows):
 
 
 def interpolated(points, x):
-    """Linear between neighbours of (x, y) in ascending x; None outside."""
+    """Interpolates linearly between points (x, y) with ascending x. Returns None outside their range."""
     for (x0, y0), (x1, y1) in zip(points, points[1:]):
         if x0 <= x <= x1:
             return y0 + (y1 - y0) * (x - x0) / (x1 - x0)
@@ -49,7 +49,7 @@ def interpolated(points, x):
 
 
 def ratios(rows, blades):
-    """Weight in 2020 over that in 2019 at the same depth of cut and nominal speed, less 1."""
+    """Relative differences of the weight in 2020 from that in 2019, at the same depth of cut and nominal speed."""
     found = []
     for speed in SPEEDS[2019]:
         series = {year: sorted((depth(r), float(r["WOB_lbf"])) for r in rows if campaign(r) == year
@@ -63,7 +63,7 @@ def ratios(rows, blades):
 
 
 def floors(rows):
-    """For each of the two bits that were tested again a year later."""
+    """For each of the two bits that were tested again one year later."""
     found = []
     for blades in ("4", "5"):
         r = ratios(rows, blades)

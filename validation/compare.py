@@ -1,7 +1,8 @@
-"""compare.py RESULTS: one row for each comparison of split.toml and law, from the result folders in RESULTS.
+"""compare.py RESULTS: computes one row for each comparison of split.toml and law, from the result folders in RESULTS.
 
-Writes comparisons.csv, comparisons.md and a figure per comparison to RESULTS. Exit code 1 when a verdict is not
-the one that split.toml expects: its sentence "why" then explains something else than what was found."""
+Writes comparisons.csv, comparisons.md and a figure per comparison to RESULTS. Exit code 1 if a
+verdict differs from the one in split.toml, because the sentence "why" there then explains another
+result."""
 
 import argparse
 import csv
@@ -17,7 +18,7 @@ COLUMNS = ("name", "kind", "law", "load", "n", "mean_error", "mean_floor", "rms_
 
 
 def rows(compared):
-    """A row for each load of a comparison; the verdict is that of all its loads."""
+    """Returns a row for each load of a comparison. The verdict is that of all its loads together."""
     return [dict(zip(COLUMNS, (compared.name, compared.kind, compared.law, load.name, len(load.predicted),
                                f"{load.mean():.4f}", f"{load.floor.mean:.4f}", f"{load.rms():.4f}", f"{load.floor.rms:.4f}",
                                f"{sum(load.inside) / len(load.inside):.3f}", "yes" if compared.extrapolates else "no",
@@ -37,7 +38,7 @@ def percent(values, form="{:+.0f}"):
 
 
 def markdown(compared):
-    """A table for each comparison."""
+    """Returns one table per comparison as Markdown."""
     lines = []
     for name in dict.fromkeys(c.name for c in compared):
         group = [c for c in compared if c.name == name]
@@ -55,7 +56,7 @@ def markdown(compared):
 
 
 def short_table(compared):
-    """For the terminal."""
+    """Returns the table that is printed."""
     lines = [f"{'comparison':24} {'law':36} {'kind':21} {'mean %':>9} {'floor':>6} {'rms %':>8} {'floor':>7}  verdict"]
     for c in compared:
         lines.append(f"{c.name:24} {c.law:36} {c.kind:21} {percent(x.mean() for x in c.loads):>9} "
@@ -71,7 +72,7 @@ def surprises(compared):
 
 
 def compare(results, split=None):
-    """Reads, writes the tables and figures, and returns what was compared."""
+    """Reads the results, writes tables and figures, and returns the comparisons."""
     split = comparison.read_split() if split is None else split
     compared = comparison.read_all(split, results, comparison.floors())
     write_csv(results / "comparisons.csv", compared)
@@ -82,7 +83,7 @@ def compare(results, split=None):
 
 
 def report(compared):
-    """Prints the table and what was not expected; the exit code."""
+    """Prints the table and unexpected verdicts, and returns the exit code."""
     print(short_table(compared))
     found = surprises(compared)
     for line in found:

@@ -1,4 +1,4 @@
-"""One comparison of validation/split.toml: what a calibration predicted beside what was measured."""
+"""One comparison of validation/split.toml: the predictions of a calibration and the measured values."""
 
 import csv
 import json
@@ -14,24 +14,24 @@ LOADS = (("wob", "N"), ("tob", "N m"), ("normal", "N"), ("drag", "N"))
 
 
 class Problem(Exception):
-    """What is wrong with the input, in words for the user."""
+    """A mistake in the input, described for the user."""
 
 
 @dataclass
 class Floor:
-    """How small the errors of a load can be expected to be, relative."""
+    """The smallest error of a load that can be expected, relative."""
     mean: float
     rms: float
 
 
 @dataclass
 class Load:
-    """One load of the predicted records: predicted and measured (SI), and the floor of its error."""
+    """One load of the predicted records: predicted and measured values (SI), and the floor of its error."""
     name: str
     unit: str
     predicted: list
     measured: list
-    inside: list   # whether the measured value lies in the predicted interval
+    inside: list   # whether the measured value is inside the predicted interval
     floor: "Floor"
 
     def errors(self):
@@ -44,13 +44,13 @@ class Load:
         return math.sqrt(sum(e * e for e in self.errors()) / len(self.predicted))
 
     def in_floors(self):
-        """Mean or rms error over its floor, the larger of the two."""
+        """Mean or rms error relative to its floor, whichever is larger."""
         return max(abs(self.mean()) / self.floor.mean, self.rms() / self.floor.rms)
 
 
 @dataclass
 class Compared:
-    """A comparison by one law."""
+    """One comparison with one law."""
     name: str
     title: str
     kind: str
@@ -76,18 +76,18 @@ class Compared:
 
 
 def read_split(path=HERE / "split.toml"):
-    """The tables [[comparison]] of the split."""
+    """Returns the tables [[comparison]] of the split."""
     return tomllib.loads(Path(path).read_text(encoding="utf-8"))["comparison"]
 
 
 def floors(path=HERE / "records" / "floors.csv"):
-    """{(floor, load): Floor}."""
+    """Returns {(floor, load): Floor}."""
     with Path(path).open(newline="", encoding="utf-8") as file:
         return {(r["floor"], r["load"]): Floor(float(r["mean"]), float(r["rms"])) for r in csv.DictReader(file)}
 
 
 def floor_of(comparison, load, known):
-    """The floor of a load: a number of the split, or the largest of those that it names."""
+    """The floor of a load: a number in the split, or the largest of the named floors."""
     given = comparison["floor"]
     if not isinstance(given, list):
         return Floor(float(given), float(given))
@@ -99,7 +99,7 @@ def floor_of(comparison, load, known):
 
 
 def read_load(rows, name, unit, floor):
-    """A load of predictions.csv where it was measured; None where it never was."""
+    """A load of predictions.csv at the records where it was measured; None if it never was."""
     cells = [[r.get(f"{column} [{unit}]") or "" for column in (f"measured_{name}", f"{name}_mean", f"{name}_low", f"{name}_high")]
              for r in rows]
     kept = [[float(c) for c in four] for four in cells if four[0]]
@@ -109,7 +109,7 @@ def read_load(rows, name, unit, floor):
 
 
 def read_compared(comparison, law, verdict, results, known):
-    """A comparison by one law from its result folder."""
+    """Reads a comparison with one law from its result folder."""
     folder = Path(results) / verdict["case"]
     try:
         summary = json.loads((folder / "calibration.json").read_text(encoding="utf-8"))

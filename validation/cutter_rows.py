@@ -1,24 +1,24 @@
-"""Records of single cutters from data/single-cutters, and how far their repeats scatter."""
+"""Records of single cutters from data/single-cutters, and the scatter of their repeats."""
 
 import math
 from collections import defaultdict
 
-# The series of the data that are used, by how their names start: cutter, rock. Texas granite: source.toml.
+# The series of data that are used, by the beginning of their names: cutter, rock. Texas granite: source.toml.
 SERIES = {"J BSS": ("j", "berea-sandstone"), "K BSS": ("k", "berea-sandstone"),
           "J SWG": ("j", "sierra-white-granite"), "D SWG": ("d", "sierra-white-granite")}
-STRENGTH_PSI = {"berea-sandstone": 7100.0, "sierra-white-granite": 21500.0}  # as listed with the rows
+STRENGTH_PSI = {"berea-sandstone": 7100.0, "sierra-white-granite": 21500.0}  # as stated with the rows
 SPEED_IN_S = 2.1
-SHALLOW_IN = 0.03  # cuts of the blunt cutter below it are fitted where those above are predicted
+SHALLOW_IN = 0.03  # cuts of the blunt cutter: shallower ones are fitted, deeper ones predicted
 LOADS = {"normal": "Fn_lbf", "drag": "Fd_lbf"}
 
 
 def series_of(row):
-    """(cutter, rock) of a row of the data; None when it is not used."""
+    """Returns (cutter, rock) of a row of the data, or None if it is not used."""
     return next((s for start, s in SERIES.items() if row["case"].startswith(start)), None)
 
 
 def tool(row):
-    """The cutter's name in records: where it was tested, and of the blunt one how deep it cut."""
+    """The cutter's name in records: its rock and, for the blunt cutter, whether it cut shallow or deep."""
     cutter, rock = series_of(row)
     name = f"{cutter}-{rock.split('-')[-1] if 'granite' in rock else 'berea'}"
     if cutter != "d":
@@ -33,8 +33,9 @@ def records(rows):
 
 
 def per_strength(recorded):
-    """The same with forces times the strength of Berea over that of the rock, all as in Berea: a law
-    that knows no strength then predicts one rock from the other in proportion to it."""
+    """The same with forces multiplied by the strength of Berea over that of the rock, and with
+    Berea as the rock. A law without strength then predicts one rock from the other in proportion to
+    strength."""
     def scaled(record, load):
         return f"{float(record[load]) * STRENGTH_PSI['berea-sandstone'] / STRENGTH_PSI[record['rock']]:.6g}"
     return [record | {"rock": "berea-sandstone", "normal [lbf]": scaled(record, "normal [lbf]"),
@@ -42,7 +43,7 @@ def per_strength(recorded):
 
 
 def repeats(rows):
-    """{(cutter, rock, listed depth): rows} of the depths that were cut more than once."""
+    """Returns {(cutter, rock, listed depth): rows} for depths that were cut more than once."""
     groups = defaultdict(list)
     for r in filter(series_of, rows):
         groups[(*series_of(r), r["doc_in"])].append(r)
@@ -50,7 +51,7 @@ def repeats(rows):
 
 
 def scatter(groups, column):
-    """(readings, pooled standard deviation of the logarithm within the groups)."""
+    """Returns (readings, pooled standard deviation of the logarithm within the groups)."""
     squares = freedom = 0.0
     for group in groups:
         logs = [math.log(float(r[column])) for r in group]
@@ -61,7 +62,7 @@ def scatter(groups, column):
 
 
 def about_own_curve(rows, column):
-    """Standard deviation of the logarithm about a power law of the depth that is fitted to these very rows."""
+    """Standard deviation of the logarithm about a power law of the depth that is fitted to the same rows."""
     x = [math.log(float(r["doc_in"])) for r in rows]
     y = [math.log(float(r[column])) for r in rows]
     mx, my = sum(x) / len(x), sum(y) / len(y)
@@ -71,8 +72,9 @@ def about_own_curve(rows, column):
 
 
 def floors(rows):
-    """For each series and load: no law that is fitted to other rows has a smaller rms than a curve through these
-    rows; no mean is known better than repeats of a reading are."""
+    """Floors for each series and load. The rms is that about a curve through the rows themselves,
+    which is smaller than that of any law fitted to other rows. The mean is the scatter of repeats,
+    which limits how well any mean is known."""
     found = []
     for cutter, rock in SERIES.values():
         series = [r for r in rows if series_of(r) == (cutter, rock)]

@@ -1,4 +1,4 @@
-"""Figures of the comparisons: measured over predicted loads, one figure each, and all errors beside their floors."""
+"""Figures of the comparisons: measured over predicted loads, one figure each, and one with all errors and floors."""
 
 import sys
 from pathlib import Path
@@ -16,7 +16,7 @@ LOOKS = ((style.BLUE, "o"), (style.RED, "^"), (style.GREEN, "s"), (style.PURPLE,
 
 
 def by_name(compared):
-    """{comparison: those of all laws}."""
+    """Returns {comparison: those of all laws}."""
     return {name: [c for c in compared if c.name == name] for name in dict.fromkeys(c.name for c in compared)}
 
 
@@ -25,7 +25,7 @@ def limits(values):
 
 
 def draw_load(axes, group, k):
-    """One load of a comparison: a point per record and law, the line of a perfect law, the floor about it."""
+    """One load of a comparison: a point per record and law, the line of a perfect law, and the floor around it."""
     first = group[0].loads[k]
     scale, unit = UNITS[first.unit]
     low, high = limits([v / scale for c in group for v in c.loads[k].predicted + c.loads[k].measured])
@@ -57,7 +57,7 @@ def draw_one(group):
 
 
 def draw_errors(compared):
-    """The worst load of each comparison and law: its error in floors."""
+    """The worst load of each comparison and law: its error divided by its floor."""
     ordered = compared[::-1]
     figure, axes = style.panels(1, 1, (7.4, 0.9 + 0.21 * len(ordered)))
     worst = [max(c.in_floors(), 0.1) for c in ordered]
@@ -80,7 +80,7 @@ def save(figure, path):
 
 
 def draw_all(folder, compared):
-    """comparison-NAME.png of each, and comparisons.png of all."""
+    """Writes comparison-NAME.png for each comparison, and comparisons.png for all."""
     for name, group in by_name(compared).items():
         save(draw_one(group), folder / f"comparison-{name}.png")
     save(draw_errors(compared), folder / "comparisons.png")

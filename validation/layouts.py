@@ -1,7 +1,8 @@
-"""layouts.py [-o DIR]: how much the comparisons of whole bits hang on the layouts, which are ours.
+"""layouts.py [-o DIR]: how the comparisons of whole bits depend on the layouts, which are assumptions of TDBD.
 
-Repeats them with the layouts of layouts.toml in DIR/layouts (DIR: results/validation, after scripts/validate) and
-writes DIR/layouts/layouts.csv and layouts.md: mean and rms error of each comparison and law by layout."""
+Repeats these comparisons with the layouts of layouts.toml in DIR/layouts (DIR: results/validation,
+after scripts/validate). Writes DIR/layouts/layouts.csv and layouts.md: mean and rms error of each
+comparison and law by layout."""
 
 import csv
 import re
@@ -15,7 +16,7 @@ OURS = "ours"
 
 
 def changed(text, keys):
-    """The text of a bit file with other values, {"table.key": value}, of keys that it has."""
+    """Returns the text of a bit file with other values {"table.key": value} of existing keys."""
     left, table, lines = dict(keys), "", []
     for line in text.split("\n"):
         if heading := re.match(r"\[([\w.]+)\]", line):
@@ -31,7 +32,7 @@ def changed(text, keys):
 
 
 def keys_of(layout, bit):
-    """The changes of a bit: those of all, then those of longer starts of its name."""
+    """The changes of a bit: those for all bits, then those for longer prefixes of its name."""
     found = {}
     for start in sorted(layout["keys"], key=len):
         if bit.startswith(start):
@@ -47,7 +48,7 @@ def write_bits(folder, layout):
 
 
 def other_bits(case, folder):
-    """Options that give a case the bits of a folder in place of its own."""
+    """Options that replace the bits of a case by those in a folder."""
     bits = tomllib.loads((comparison.HERE / "cases" / f"{case}.toml").read_text(encoding="utf-8"))["bits"]
     return [word for name, file in bits.items() for word in ("--set", f"bits.{name}={folder / file.split('/')[-1]}")]
 
@@ -63,7 +64,7 @@ def rows(compared, layout):
 
 
 def with_layout(program, results, split, layout):
-    """The comparisons with other bits."""
+    """Computes the comparisons with other bits."""
     folder = results / "layouts" / layout["name"].replace(" ", "-")
     write_bits(folder / "bits", layout)
     for case, _ in validate.runs(split):
@@ -72,7 +73,7 @@ def with_layout(program, results, split, layout):
 
 
 def markdown(found):
-    """Mean errors, a column for each layout; bold where the verdict is another one than with ours."""
+    """Mean errors, one column per layout; bold where the verdict differs from that with the layout of TDBD."""
     layouts = list(dict.fromkeys(r["layout"] for r in found))
     lines = ["| comparison | law | " + " | ".join(layouts) + " |", "|---" * (2 + len(layouts)) + "|"]
     for name, law in dict.fromkeys((r["name"], r["law"]) for r in found):

@@ -1,17 +1,19 @@
-"""The figure of zijsling-pressures: drag, and force into the rock over drag, by pressure: what a law's way with pressure
-can follow and what not."""
+"""The figure of zijsling-pressures: drag, and the ratio of the force into the rock to drag, over
+pressure.
+
+It shows what a law's dependence on pressure can represent."""
 
 import csv
 
 import figures
-import style  # figures has made it known
+import style  # figures has added its folder to the path
 
 NAME = "zijsling-pressures"
-FITTED_MPA = (15.0, 45.0)  # the fitted pressures lie between
+FITTED_MPA = (15.0, 45.0)  # the range of the fitted pressures
 
 
 def points(folder, thickest):
-    """[(pressure MPa, drag kN, force over drag)] of the fitted and the predicted rows of one depth; by a law, or measured."""
+    """[(pressure MPa, drag kN, force over drag)] of fitted and predicted rows at one depth: by law, and measured."""
     rows = []
     for file in ("residuals.csv", "predictions.csv"):
         with (folder / file).open(newline="", encoding="utf-8") as text:
@@ -24,7 +26,7 @@ def points(folder, thickest):
 
 
 def draw(results, comparison):
-    """The comparison's laws over pressure, thicker cuts."""
+    """The laws of the comparison over pressure, for the thicker cuts."""
     figure, (drag, ratio) = style.panels(1, 2, (8.6, 3.9))
     for axes in (drag, ratio):
         axes.axvspan(*FITTED_MPA, color="0.93", linewidth=0, label="fitted pressures")
@@ -43,7 +45,7 @@ def draw(results, comparison):
 
 
 def draw_all(results, split):
-    """pressures.png, if the comparison is among those that were made."""
+    """Writes pressures.png if the comparison is one of those that were computed."""
     for comparison in split:
         if comparison["name"] == NAME:
             figures.save(draw(results, comparison), results / "pressures.png")

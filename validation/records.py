@@ -1,7 +1,7 @@
-"""records.py: makes records/*.csv of data/, and records/floors.csv: how far repeated measurements differ.
+"""records.py: writes records/*.csv from data/, and records/floors.csv, the differences between repeated measurements.
 
     /usr/bin/python3 validation/records.py           # writes them
-    /usr/bin/python3 validation/records.py --check   # exit code 1 when one is missing or stale
+    /usr/bin/python3 validation/records.py --check   # exit code 1 if one is missing or out of date
 """
 
 import csv
@@ -18,13 +18,13 @@ HERE = Path(__file__).resolve().parent
 
 
 def data_rows(name):
-    """The rows of data/NAME/rows.csv, each {column: text}."""
+    """Returns the rows of data/NAME/rows.csv as {column: text}."""
     with (HERE / "data" / name / "rows.csv").open(newline="", encoding="utf-8") as file:
         return list(csv.DictReader(file))
 
 
 def csv_text(rows):
-    """Rows {column: value} as the text of a csv file."""
+    """Returns rows {column: value} as the text of a csv file."""
     out = io.StringIO()
     writer = csv.DictWriter(out, rows[0], lineterminator="\n")
     writer.writeheader()
@@ -33,7 +33,7 @@ def csv_text(rows):
 
 
 def texts():
-    """{file name: text} of everything in records/."""
+    """Returns {file name: text} of all files in records/."""
     cutters, bits = data_rows("single-cutters"), data_rows("full-bits")
     model = tomllib.loads((HERE / "data/zijsling-1987/model.toml").read_text(encoding="utf-8"))
     made = {"single-cutters.csv": cutter_rows.records(cutters),
@@ -45,7 +45,7 @@ def texts():
 
 
 def stale(folder):
-    """Names of the files in a folder that are missing or not what data/ gives."""
+    """Names of the files in a folder that are missing or differ from those made from data/."""
     return [name for name, text in texts().items()
             if not (folder / name).is_file() or (folder / name).read_text(encoding="utf-8") != text]
 

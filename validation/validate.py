@@ -1,7 +1,8 @@
 """validate.py [-o DIR] [--chapter6] [NAME ...]: runs the cases of split.toml with `tdbd calibrate`, then compare.py.
 
-DIR: results/validation. Each case has its folder in DIR; cut runs are kept in DIR/cuts and made once. NAME: only these
-comparisons. --chapter6: also what chapter6/make.py makes, in DIR/chapter6, unless there is a NAME. --program: another tdbd."""
+DIR: results/validation. Each case has a folder in DIR; cut runs are kept in DIR/cuts and made once.
+NAME: only these comparisons. --chapter6: also runs chapter6/make.py with the output DIR/chapter6,
+unless there is a NAME. --program: another tdbd."""
 
 import argparse
 import json
@@ -19,7 +20,7 @@ ROOT = HERE.parent
 
 
 def chosen(split, names):
-    """The comparisons of these names; all of them without names."""
+    """Returns the comparisons with these names, or all of them without names."""
     known = [c["name"] for c in split]
     for name in names:
         if name not in known:
@@ -28,7 +29,7 @@ def chosen(split, names):
 
 
 def runs(split):
-    """[(case, case whose coefficients it starts from or None)] in an order in which each finds what it needs."""
+    """Returns [(case, case from which it takes coefficients, or None)], each after the case that it requires."""
     order = {}
     for c in split:
         for law in c["law"].values():
@@ -40,7 +41,7 @@ def runs(split):
 
 
 def starts(results, case, before):
-    """Options that give a case the coefficients found by another one: starts of what it fits, else fixed."""
+    """Options that pass coefficients found by another case: as starts if they are fitted, otherwise as fixed values."""
     if before is None:
         return []
     found = json.loads((results / before / "calibration.json").read_text(encoding="utf-8"))["coefficients"]
@@ -53,7 +54,7 @@ def starts(results, case, before):
 
 
 def calibrate(program, case, results, before, options=()):
-    """Runs one case; its messages only when it fails."""
+    """Runs one case and prints its messages only if it fails."""
     file = HERE / "cases" / f"{case}.toml"
     command = [str(program), "calibrate", str(file), "-o", str(results / case), "--force", "--quiet", "--threads",
                str(os.cpu_count()), *starts(results, file, before), *options]
@@ -73,7 +74,7 @@ def validate(program, results, names):
 
 
 def chapter6(program, results):
-    """Chapter 6 and appendix D in the synthetic laboratory."""
+    """Makes chapter 6 and appendix D with the synthetic laboratory."""
     folder = results / "chapter6"
     code = subprocess.run([sys.executable, "-B", HERE / "chapter6/make.py", program, folder], check=False).returncode
     if code == 0:

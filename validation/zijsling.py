@@ -1,17 +1,18 @@
-"""Records of a published model: Miedema's formula with the numbers that reproduce Zijsling's tests (data/zijsling-1987)."""
+"""Records of a published model: Miedema's formula with numbers that reproduce Zijsling's tests (zijsling-1987)."""
 
 import math
 
-DIAMETER_MM = 13.0  # of the round cutter that stands for Zijsling's of 10 mm width
+DIAMETER_MM = 13.0  # of the round cutter that represents Zijsling's cutter of 10 mm width
 SPEED_M_S = 1.0
-FITTED_MPA = (20.0, 50.0)  # pressures between are "mid", the others "low" and "high"
+FITTED_MPA = (20.0, 50.0)  # "low" and "high" pressures are below and above; those between are "mid"
 
 
 def forces(n, pressure, area):
-    """(normal, drag) N of a chip: pressure in MPa, area of the cut in mm2.
+    """Returns (normal, drag) in N of a chip. pressure: MPa; area of the cut: mm2.
 
-    The chip slides up a plane at the angle b and then along the face at al; the pressure holds it to both.
-    K2 is the force between chip and face, from the balance of the chip along and across the plane."""
+    The chip slides up a plane at the angle b and then along the face at al; the pressure presses it
+    against both. K2 is the force between chip and face, from the balance of the chip along and
+    across the plane."""
     b, phi, delta = (math.radians(n[k]) for k in ("shear_angle_deg", "friction_angle_deg", "interface_angle_deg"))
     al = math.pi / 2.0 + math.radians(n["back_rake_deg"])
     held = n["cohesion_MPa"] * area / math.sin(b)
@@ -22,14 +23,14 @@ def forces(n, pressure, area):
 
 
 def groove_area(depth, rake):
-    """mm2, of a round face that leans back by the rake."""
+    """Area in mm2 for a round face that is tilted back by the rake."""
     radius = DIAMETER_MM / 2.0
     t = math.acos(1.0 - depth / (radius * math.cos(rake)))
     return radius ** 2 * (t - math.sin(t) * math.cos(t)) * math.cos(rake)
 
 
 def groove_depth(area, rake):
-    """mm, by bisection."""
+    """Depth in mm, by bisection."""
     low, high = 0.0, DIAMETER_MM / 2.0
     for _ in range(100):
         middle = (low + high) / 2.0

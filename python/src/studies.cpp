@@ -4,6 +4,7 @@
 
 #include "python/src/options.hpp"
 #include "simulation/result/run.hpp"
+#include "simulation/rotate/rotate_simulation.hpp"
 #include "simulation/start/reach.hpp"
 #include "simulation/study/convergence_output.hpp"
 #include "simulation/study/convergence_run.hpp"

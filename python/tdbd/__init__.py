@@ -1,4 +1,4 @@
-"""TDBD from Python: drill bits cutting rock. Arrays are numpy's, always copies; lengths in m, all else in SI.
+"""TDBD from Python: drill bits cutting rock. Arrays are numpy arrays and always copies. Lengths in m, others in SI.
 
     c = tdbd.case("cases/bit-b-steady.toml", rock__edge_length="2 mm")
     r = tdbd.run(c)
@@ -17,10 +17,10 @@ from tdbd.runs import resume, rotate, run
 from tdbd.studies import Convergence, check, converge
 from tdbd.surfaces import Surface
 
-#: For a `with` around calls of yours to NetCDF or HDF5 while another thread drills: neither library is made for two threads.
+#: Lock for `with` around your calls of NetCDF or HDF5 while another thread drills: they are not thread-safe.
 FilesLock = _core.FilesLock
 
-#: Version, commit, compiler and flags, as every summary has them.
+#: Version, commit, compiler and flags, as in every summary.
 provenance: dict[str, str] = _core.provenance
 __version__: str = provenance["version"]
 

@@ -1,4 +1,4 @@
-"""Python values as the command line's words."""
+"""Converts Python values to arguments of the command line."""
 
 import json
 import numbers
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def _text(key: str, value: Any, inside: bool = False) -> str:
-    """A value as `--set KEY=` takes it; inside a list a text needs quotes."""
+    """Returns a value in the form of `--set KEY=VALUE`. Inside a list, a text needs quotes."""
     if isinstance(value, os.PathLike):
         value = os.fspath(value)
     if isinstance(value, np.generic):
@@ -29,7 +29,7 @@ def _text(key: str, value: Any, inside: bool = False) -> str:
 
 
 def assignments(settings: Mapping[str, Any] | None, keywords: Mapping[str, Any]) -> list[str]:
-    """["rock.edge_length=2 mm"] of {"rock.edge_length": "2 mm"}, and of keywords, where __ stands for the dot."""
+    """Converts {"rock.edge_length": "2 mm"} and keywords (__ represents the dot) to ["rock.edge_length=2 mm"]."""
     if settings is not None and not isinstance(settings, Mapping):
         raise TypeError(f"set: found {type(settings).__name__}, expected a dictionary of keys and values")
     every = dict(settings or {}) | {name.replace("__", "."): value for name, value in keywords.items()}

@@ -20,7 +20,7 @@ _HEAD = re.compile(r"(?P<name>.+?) \[(?P<unit>.*)\]")
 
 
 def _column(name: str, texts: list[str]) -> tuple[str, tuple[str, list[Any], dict[str, str]]]:
-    """A column of numbers where its head has a unit, otherwise of texts; an empty number is none."""
+    """Returns a column of numbers if its head has a unit, otherwise of texts. An empty number becomes NaN."""
     head = _HEAD.fullmatch(name)
     if not head:
         return name, ("record", texts, {})
@@ -28,7 +28,7 @@ def _column(name: str, texts: list[str]) -> tuple[str, tuple[str, list[Any], dic
 
 
 def read_table(path: Folder) -> "xarray.Dataset":
-    """A csv with units in its head, as a Dataset with the dimension record."""
+    """Reads a csv with units in its head as a Dataset with the dimension record."""
     import xarray
 
     with open(path, newline="", encoding="utf-8") as file:
@@ -52,7 +52,7 @@ class CalibrationResult:
 
     @property
     def coefficients(self) -> dict[str, dict[str, Any]]:
-        """Of a fit of all pressures together: for each coefficient "value", "se", "low", "high", "start", "unit" and more."""
+        """For all pressures together: "value", "se", "low", "high", "start", "unit" and more of each coefficient."""
         return self.data["coefficients"]
 
     @functools.cached_property
@@ -62,21 +62,22 @@ class CalibrationResult:
 
     @functools.cached_property
     def predictions(self) -> "xarray.Dataset":
-        """The same of the records that the fit did not see."""
+        """The same for the records that are predicted rather than fitted."""
         return read_table(self.folder / "predictions.csv")
 
     @functools.cached_property
     def law(self) -> str:
-        """law.toml: a table [forces] for a case. Of separate pressures the folder has one for each."""
+        """law.toml: a table [forces] for a case. After separate fits, there is one file for each pressure."""
         return (self.folder / "law.toml").read_text(encoding="utf-8")
 
 
 def calibrate(case: Case | Folder, folder: Folder | None = None, *, cuts: Folder | None = None, force: bool = False,
               threads: int = 1, progress: Progress | None = None) -> CalibrationResult:
-    """Fits a force law to measured records: `tdbd calibrate`. Without a folder the files go with the result.
+    """Fits a force law to records, like `tdbd calibrate`. Without a folder, the files are deleted with the result.
 
-    `cuts`: where cut runs are kept and found again; without it beside the results. `progress(done, total)` hears of cut
-    runs. Ctrl-C is looked at after each of them.
+    `cuts`: folder in which cut runs are stored and reused; the default is beside the results.
+    `progress(done, total)` is called after each cut run. Ctrl-C takes effect after the current cut
+    run.
     """
     found = of_kind(case, "calibration")
     path, keep = folder_for(folder)
@@ -86,7 +87,7 @@ def calibrate(case: Case | Folder, folder: Folder | None = None, *, cuts: Folder
 
 def laboratory(case: Case | Folder, file: Folder, *, cuts: Folder | None = None, force: bool = False, threads: int = 1,
                progress: Progress | None = None) -> "xarray.Dataset":
-    """Writes synthetic records under a known law into a csv file, and returns them: `tdbd laboratory`."""
+    """Writes synthetic records under a known law to a csv file and returns them, like `tdbd laboratory`."""
     found = of_kind(case, "laboratory")
     path = os.fspath(file)
     _core.laboratory(found.checked, path, "" if cuts is None else os.fspath(cuts), force, threads, progress)

@@ -1,4 +1,4 @@
-"""Cases: files with their overrides, read and checked."""
+"""Cases: files with overrides that are read and checked."""
 
 import os
 import warnings
@@ -20,44 +20,44 @@ _READ = {
 
 @dataclass(frozen=True)
 class Case:
-    """A checked case. `tdbd.case` makes it."""
+    """A checked case. Returned by `tdbd.case`."""
 
     kind: str  #: "drilling", "rotation", "calibration" or "laboratory"
     path: str
-    overrides: tuple[str, ...]  #: "rock.edge_length=2 mm", as after --set
-    checked: Any = field(repr=False)  #: what the compiled half read
+    overrides: tuple[str, ...]  #: "rock.edge_length=2 mm", as in --set
+    checked: Any = field(repr=False)  #: the case in the compiled module
 
     @property
     def resolved(self) -> str:
-        """TOML: every default written out, in SI; itself a case that gives the same result."""
+        """The case as TOML with all defaults, in SI. It is itself a case that gives the same result."""
         return self.checked.resolved
 
     @property
     def hash(self) -> str:
-        """Of the resolved values and the content of all files: "case_hash" of a summary."""
+        """Hash of the resolved values and the contents of all files: "case_hash" of a summary."""
         return self.checked.hash
 
     @property
     def quantities(self) -> dict[str, float]:
-        """Every single quantity of a case to drill or to rotate, by its dotted key, in SI."""
+        """All quantities with a single value of a drilling or rotation case, by dotted key, in SI."""
         return dict(self.checked.quantities)
 
     @property
     def steps(self) -> int:
-        """Steps of a case to drill or to rotate, from the motion's beginning to the end."""
+        """Number of steps of a drilling or rotation case, from the beginning to the end of the motion."""
         return self.checked.steps
 
     @property
     def parts(self) -> list[str]:
-        """Names of the parts of the bit that drills, in the order of arrays by part."""
+        """Names of the parts of the drilling bit, in the order of arrays by part."""
         return list(self.checked.parts)
 
     def replace(self, set: Mapping[str, Any] | None = None, **keys: Any) -> "Case":
-        """The same file with further overrides, which win over earlier ones."""
+        """Returns the same file with further overrides, which take precedence over earlier ones."""
         return _read(self.path, [*self.overrides, *assignments(set, keys)])
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Another process reads the file again."""
+        """Pickles the path and overrides, so that another process reads the file again."""
         return _read, (self.path, list(self.overrides))
 
 
@@ -74,10 +74,11 @@ def _read(path: str, overrides: list[str]) -> Case:
 
 
 def case(path: str | os.PathLike[str], set: Mapping[str, Any] | None = None, **keys: Any) -> Case:
-    """Reads and checks a case of any kind: one to drill, to rotate, a calibration, a laboratory.
+    """Reads and checks a case of any kind: drilling, rotation, calibration or laboratory.
 
-    Overrides are keywords, with `__` for the dot (`rock__edge_length="2 mm"`), or a dictionary (`set={"rock.edge_length":
-    "2 mm"}`); keywords win. Texts are what `--set` takes; numbers are in SI. Raises CaseError with every mistake.
+    Overrides are keywords with `__` for the dot (`rock__edge_length="2 mm"`), or a dictionary
+    (`set={"rock.edge_length": "2 mm"}`). Keywords take precedence. Texts are written as for
+    `--set`; numbers are in SI. Raises CaseError that lists every mistake.
     """
     name = os.fsdecode(path)
     if "\0" in name:
@@ -86,7 +87,7 @@ def case(path: str | os.PathLike[str], set: Mapping[str, Any] | None = None, **k
 
 
 def of_kind(given: "Case | str | os.PathLike[str]", *kinds: str) -> Case:
-    """The case, or the one of a path. Raises CaseError, in the command line's words, when it is of no such kind."""
+    """Returns the case, or reads it from a path. Raises CaseError if it is of another kind."""
     found = given if isinstance(given, Case) else case(given)
     if found.kind not in kinds:
         _core.require_kind(found.path, list(found.overrides), list(kinds))

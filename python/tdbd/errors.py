@@ -1,4 +1,4 @@
-"""What goes wrong, by kind. The words are those of the command line."""
+"""Exceptions by kind of problem. Their messages are those of the command line."""
 
 import re
 from typing import NamedTuple
@@ -10,10 +10,10 @@ _OF_FILE = re.compile(r"(?P<file>.+?): (?P<text>found .+)", re.DOTALL)
 class Mistake(NamedTuple):
     """One mistake of a case."""
 
-    file: str  #: as it was given; "--set" of an override; "" where the message names none
-    line: int  #: from 1; 0 of an override, and where the message names none
-    key: str  #: dotted; "" where the message names none
-    text: str  #: what was found, what is expected
+    file: str  #: as given; "--set" for an override; "" if the message contains none
+    line: int  #: from 1; 0 for an override or if the message contains none
+    key: str  #: dotted; "" if the message contains none
+    text: str  #: value found, and value expected
 
 
 def _mistake(line: str) -> Mistake:
@@ -25,7 +25,7 @@ def _mistake(line: str) -> Mistake:
 
 
 class CaseError(ValueError):
-    """A case, or a file that it names, is wrong. Its message has a line for each mistake."""
+    """A case, or a file that it names, is wrong. The message has one line for each mistake."""
 
     @property
     def mistakes(self) -> list[Mistake]:
@@ -34,26 +34,26 @@ class CaseError(ValueError):
 
     @property
     def file(self) -> str:
-        """Of the first mistake."""
+        """File of the first mistake."""
         return self.mistakes[0].file
 
     @property
     def line(self) -> int:
-        """Of the first mistake."""
+        """Line of the first mistake."""
         return self.mistakes[0].line
 
     @property
     def key(self) -> str:
-        """Of the first mistake."""
+        """Key of the first mistake."""
         return self.mistakes[0].key
 
 
 class FolderError(FileExistsError):
-    """A folder for results is refused: it is not empty, in use, not TDBD's, or cannot be written to. Nothing was changed."""
+    """A result folder is rejected: not empty, in use, not one of TDBD, or not writable. Nothing was changed."""
 
 
 class RunError(RuntimeError):
-    """The computation failed: a broken promise of the rock's surface, a motion that diverges, a full disk."""
+    """The computation failed: the surface violates an invariant, a motion diverges, or a disk is full."""
 
 
 class CaseWarning(UserWarning):

@@ -12,10 +12,11 @@ from tdbd.surfaces import Surface
 
 
 class Simulation(_core.Drilling):
-    """A bit that drills, between two steps: the first step of `tdbd.run` to its last, in memory.
+    """A drilling bit between two steps, in memory. All steps together are those of `tdbd.run`.
 
-    `step(n)` makes n steps, fewer where the case ends, and returns how many. Ctrl-C raises KeyboardInterrupt between two
-    steps; the simulation can continue. Python's lock is released meanwhile; one thread at a time works on a simulation.
+    `step(n)` makes n steps, or fewer if the case ends, and returns their number. Ctrl-C raises
+    KeyboardInterrupt between two steps; the simulation can continue. The interpreter lock is
+    released during the steps; only one thread at a time may use a simulation.
     """
 
     def __init__(self, case: Case | str | os.PathLike[str], threads: int = 1) -> None:
@@ -24,23 +25,23 @@ class Simulation(_core.Drilling):
 
     @property
     def rock(self) -> Surface:
-        """The rock's surface now."""
+        """The current surface of the rock."""
         vertices, faces, _ = self.surface()
         return Surface(vertices, faces)
 
     @property
     def last_part(self) -> np.ndarray:
-        """(n,) int32 For every vertex of `rock` the part that cut it last, an index into `case.parts`; -1: none."""
+        """(n,) int32: for every vertex of `rock`, the part that last cut it as an index into `case.parts`; -1: none."""
         return self.surface()[2]
 
     @property
     def summary(self) -> dict[str, Any]:
-        """The figures so far: what summary.json would hold. Status "interrupted" until the case's last step is made."""
+        """The results so far, as in summary.json. The status is "interrupted" until the last step is made."""
         return json.loads(self.summary_json())
 
 
 class Rotation(_core.Rotating):
-    """A body that rotates, with or without cones, that the caller advances step by step. `step(n)` is that of a Simulation."""
+    """A rotating body, with or without cones, that the caller advances step by step. `step(n)` as in Simulation."""
 
     def __init__(self, case: Case | str | os.PathLike[str]) -> None:
         self.case = of_kind(case, "rotation")
@@ -48,5 +49,5 @@ class Rotation(_core.Rotating):
 
     @property
     def summary(self) -> dict[str, Any]:
-        """The figures so far: what summary.json would hold."""
+        """The results so far, as in summary.json."""
         return json.loads(self.summary_json())

@@ -1,4 +1,4 @@
-"""Result folders, as run and rotate leave them."""
+"""Result folders of run and rotate."""
 
 import functools
 import json
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 class Result:
     """A result folder. Each file is read once, when it is first used."""
 
-    folder: Path  #: where the files are; of a run without a folder a temporary one, which goes with the result
+    folder: Path  #: contains the files; for a run without a folder temporary, and deleted with the result
 
     def __init__(self, folder: str | os.PathLike[str], keep: Scratch | None = None) -> None:
         self.folder = Path(folder).absolute()
@@ -29,17 +29,17 @@ class Result:
 
     @functools.cached_property
     def summary(self) -> dict[str, Any]:
-        """The figures: summary.json, units in the names of keys."""
+        """The contents of summary.json. The names of keys contain the units."""
         return json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
 
     @functools.cached_property
     def timing(self) -> dict[str, Any]:
-        """Seconds, memory and threads: timing.json."""
+        """The contents of timing.json: seconds, memory and threads."""
         return json.loads((self.folder / "timing.json").read_text(encoding="utf-8"))
 
     @functools.cached_property
     def history(self) -> "xarray.Dataset":
-        """history.nc in memory: dimension time, and part, cutter, cone, xyz where there are any; `units`, `long_name`."""
+        """history.nc in memory, with `units` and `long_name`. Dimensions: time and, if any, part, cutter, cone, xyz."""
         try:
             import xarray
         except ImportError as error:
@@ -49,27 +49,27 @@ class Result:
 
 
 class RunResult(Result):
-    """What `tdbd.run` leaves."""
+    """The result of `tdbd.run`."""
 
     @functools.cached_property
     def rock(self) -> Surface:
-        """The rock's surface at the end: rock_final.ply."""
+        """The final surface of the rock: rock_final.ply."""
         return Surface(*_core.read_surface(str(self.folder / "rock_final.ply")))
 
     def plot(self) -> "Figure":
-        """The bottom hole from above, depth in colour, and what the bit removed over its turns."""
+        """Plots the bottom hole from above, coloured by depth, and the removed rock over revolutions."""
         return plots.bottom_hole(self.rock, self.history, self.summary["title"])
 
 
 class RotationResult(Result):
-    """What `tdbd.rotate` leaves."""
+    """The result of `tdbd.rotate`."""
 
     def plot(self) -> "Figure":
-        """The path of the body's third axis, and the drift of the energy."""
+        """Plots the path of the body's third axis and the drift of the energy."""
         return plots.axis_path(self.history, self.summary)
 
 
 def load(folder: str | os.PathLike[str]) -> RunResult | RotationResult:
-    """A result that lies in a folder."""
+    """Returns the result in a folder."""
     result = Result(folder)
     return RotationResult(folder) if result.summary["command"] == "rotate" else RunResult(folder)

@@ -22,11 +22,12 @@ def _warn(told: list[str]) -> None:
 
 def run(case: Case | Folder, folder: Folder | None = None, *, force: bool = False, threads: int = 1,
         progress: Progress | None = None) -> RunResult:
-    """Drills a case: `tdbd run`. Leaves the same files in `folder`, or in a temporary one that goes with the result.
+    """Drills a case, like `tdbd run`. Without `folder`, the files are deleted with the result.
 
-    `force` replaces the results in the folder. `progress(done, total)` hears of steps ten times a second. The result does
-    not depend on `threads`. Ctrl-C raises KeyboardInterrupt after the current step; what was recorded is in the folder, and
-    `tdbd.resume` continues. Raises FolderError before anything is changed, RunError if the computation fails.
+    `force` replaces results in the folder. `progress(done, total)` is called ten times per second.
+    The result does not depend on `threads`. Ctrl-C raises KeyboardInterrupt after the current step;
+    everything recorded is in the folder, and `tdbd.resume` continues the run. Raises FolderError
+    before anything is changed, RunError if the computation fails.
     """
     drilled = of_kind(case, "drilling")
     path, keep = folder_for(folder)
@@ -36,7 +37,7 @@ def run(case: Case | Folder, folder: Folder | None = None, *, force: bool = Fals
 
 def rotate(case: Case | Folder, folder: Folder | None = None, *, force: bool = False,
            progress: Progress | None = None) -> RotationResult:
-    """Integrates the rotation of a body: `tdbd rotate`. Arguments as of `run`."""
+    """Integrates the rotation of a body, like `tdbd rotate`. Arguments as for `run`."""
     rotated = of_kind(case, "rotation")
     path, keep = folder_for(folder)
     _warn(_core.rotate(rotated.checked, path, force, progress))
@@ -44,9 +45,9 @@ def rotate(case: Case | Folder, folder: Folder | None = None, *, force: bool = F
 
 
 def resume(folder: Folder, *, threads: int = 1, progress: Progress | None = None) -> RunResult | RotationResult:
-    """Resumes an interrupted run or rotation. The result is that of an uninterrupted one.
+    """Resumes an interrupted run or rotation. The result is bitwise identical to that of an uninterrupted one.
 
-    A complete result is returned as it is.
+    A complete result is returned unchanged.
     """
     path = os.fspath(folder)
     if not _core.tidy_if_finished(path):

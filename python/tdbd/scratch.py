@@ -1,4 +1,4 @@
-"""A folder that goes with the object that needs it."""
+"""Temporary folders that are deleted with the object that uses them."""
 
 import os
 import shutil
@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 class Scratch:
-    """A temporary folder. It goes with this object, and at the end of Python at the latest."""
+    """A temporary folder. It is deleted with this object, or at the latest when Python exits."""
 
     def __init__(self) -> None:
         self.path = Path(tempfile.mkdtemp(prefix="tdbd-"))
@@ -16,7 +16,7 @@ class Scratch:
 
 
 def folder_for(folder: str | os.PathLike[str] | None) -> tuple[str, Scratch | None]:
-    """The folder, or one in a temporary one, which must be kept as long as its files are needed."""
+    """Returns the folder, or a temporary one with the object that must exist as long as its files are needed."""
     if folder is not None:
         return os.fspath(folder), None
     keep = Scratch()

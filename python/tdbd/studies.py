@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 
 
 def check(case: Case | Folder) -> dict[str, Any]:
-    """What a run would take: builds bit and rock, tries the first steps of a case to drill, writes nothing.
+    """Estimates the resources of a run: builds bit and rock and tries the first steps. Writes nothing.
 
-    Of one to drill: "triangles", "triangles_at_end", "memory_bytes", "disk_bytes", "seconds", "steps_tried", "warnings"; of
-    one to rotate: "cones", "energy" (J).
+    For drilling: "triangles", "triangles_at_end", "memory_bytes", "disk_bytes", "seconds",
+    "steps_tried", "warnings". For rotation: "cones", "energy" (J).
     """
     found = of_kind(case, "drilling", "rotation")
     return _core.check_rotation(found.checked) if found.kind == "rotation" else _core.check_drilling(found.checked)
@@ -28,38 +28,38 @@ def check(case: Case | Folder) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Convergence:
-    """What a study found."""
+    """The result of a convergence study."""
 
-    data: dict[str, Any] = field(repr=False)  #: convergence.json
-    table: str = field(repr=False)  #: as a terminal shows it
+    data: dict[str, Any] = field(repr=False)  #: contents of convergence.json
+    table: str = field(repr=False)  #: as printed in a terminal
 
     @property
     def sizes(self) -> np.ndarray:
-        """(levels,) The first quantity that was divided, SI."""
+        """(levels,) Values of the first refined quantity, SI."""
         return np.array([level["size"] for level in self.data["levels"]])
 
     @property
     def errors(self) -> dict[str, np.ndarray]:
-        """For every variable (levels - 1,) differences to the next level, or (levels,) errors against the reference, SI."""
+        """Per variable: (levels - 1,) differences to the next level, or (levels,) errors against the reference, SI."""
         name = "errors" if self.data["against"] == "reference" else "differences"
         return {variable: np.array(found[name]) for variable, found in self.data["variables"].items()}
 
     @property
     def orders(self) -> dict[str, float | None]:
-        """The observed order of every variable; None if there is none; `data` contains the reason."""
+        """The observed order of every variable, or None; `data` then contains the reason."""
         return {variable: found["order"] for variable, found in self.data["variables"].items()}
 
     def plot(self) -> "Figure":
-        """Errors of all variables over the quantity that was divided."""
+        """Plots the errors of all variables over the refined quantity."""
         return plots.errors(self.sizes, self.errors, self.data)
 
 
 def converge(case: Case | Folder, over: str | Sequence[str], levels: int = 5, factor: float = 2.0, *,
              reference: Folder | None = None, folder: Folder | None = None, force: bool = False, threads: int = 1,
              progress: Progress | None = None) -> Convergence:
-    """Divides quantities (`over`: "time.step") by `factor` again and again and observes orders: `tdbd converge`.
+    """Refines quantities (`over`: "time.step") repeatedly by `factor` and computes observed orders: `tdbd converge`.
 
-    `reference`: a result, folder or summary.json, that errors are measured against. Without `folder` nothing is written.
+    `reference`: a result, folder or summary.json from which errors are computed. Without `folder`, nothing is written.
     """
     found = of_kind(case, "drilling", "rotation")
     keys = [over] if isinstance(over, str) else list(over)

@@ -6,10 +6,10 @@ import numpy as np
 
 
 class Surface(NamedTuple):
-    """A triangulated surface, a copy. Space frame: origin at the bit's nose at t = 0, z down the hole."""
+    """A copy of a triangulated surface. Space frame: origin at the bit's nose at t = 0, z down the hole."""
 
     vertices: np.ndarray  #: (n, 3) float64, m
-    faces: np.ndarray  #: (m, 3) int32, rows of vertices; normals point out of the rock
+    faces: np.ndarray  #: (m, 3) int32, vertices of each triangle; normals point out of the rock
 
     @property
     def depth(self) -> np.ndarray:

@@ -88,7 +88,7 @@ std::optional<DragRock> rock_of(const simulation::ForcePlan& forces) {
   return DragRock{law->eps, law->zeta, law->sigma, law->mu};
 }
 
-/// Chamfers may have a law of their own; without chamfers, any law of theirs is accepted.
+/// Chamfers may have a law of their own; without chamfers, any law for them is accepted.
 std::optional<EdgeCoefficients> edges_of(const simulation::ForcePlan& forces) {
   using forces::HansonHansen;
   const auto law_of = [&](bit::PartKind kind) {

@@ -8,7 +8,7 @@
 /// run.
 namespace tdbd::reference::compare_keys {
 
-inline constexpr TableKey table{"compare", "how the models of chapter 2 are asked"};
+inline constexpr TableKey table{"compare", "how the models of chapter 2 are evaluated"};
 inline constexpr TextsKey models{.name = "models", .usual = "all", .meaning = "which models run"};
 inline constexpr QuantityKey counted_revolutions{
     .name = "counted_revolutions",

@@ -9,7 +9,7 @@ WIDE, TALL = (7.4, 2.7), (7.4, 4.2)
 
 
 def rz(points):
-    """(r, z) in mm of a list of places in the half-plane; z up in the chart, as a bit stands."""
+    """(r, z) in mm of a list of places in the half-plane; z up in the chart."""
     places = MM * np.array(points, dtype=float).reshape(-1, 2)
     return places[:, 0], places[:, 1]
 

@@ -14,12 +14,12 @@ from figures.render import smooth_normals
 
 
 class BadFolder(ValueError):
-    """The folder holds no such report; the message names the file and what is expected."""
+    """The folder contains no such report; the message names the file and what is expected."""
 
 
 @dataclass
 class BitReport:
-    """A bit as `tdbd bit --report` tells it."""
+    """A bit as `tdbd bit --report` writes it."""
 
     folder: Path
     analysis: dict  # analysis.json
@@ -51,7 +51,7 @@ class BitReport:
 
     @cached_property
     def centres(self):
-        """(parts, 3): the mean of each part's corners; a part's frame may stand elsewhere, as a gage pad's does."""
+        """(parts, 3): the mean of each part's corners; the frame of a part may be elsewhere, like that of a gage pad."""
         count = np.maximum(np.bincount(self.part, minlength=len(self.parts)), 1)
         means = self.points[self.triangles].mean(axis=1)
         return np.stack([np.bincount(self.part, x, len(self.parts)) for x in means.T], axis=1) / count[:, None]

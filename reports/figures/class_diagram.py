@@ -1,4 +1,4 @@
-"""In place of the thesis's class diagrams: the types and functions that headers of ours declare, read from the code."""
+"""In place of the thesis's class diagrams: the types and functions that the headers of TDBD declare, read from the code."""
 
 from dataclasses import dataclass
 
@@ -77,7 +77,7 @@ def mentions(text, names):
 
 
 def lines_of(path, header, names):
-    """What a header's box says."""
+    """The lines in the box of a header."""
     width = WIDTH - 0.16
     lines = [(path, FILE)]
     for found in header.types:

@@ -1,4 +1,4 @@
-"""Charts of a roller cone bit: what its rows sweep, how fast its cones roll, where its teeth stand."""
+"""Charts of a roller cone bit: what its rows sweep, how fast its cones roll, where its teeth are."""
 
 import numpy as np
 
@@ -65,7 +65,7 @@ def speeds(bit):
 
 
 def spacing(bit):
-    """Where the teeth of every row stand about the journal."""
+    """The places of the teeth of every row about the journal."""
     figure, panels = style.panels(1, len(bit.cones), (7.4, 2.7), squeeze=False, subplot_kw={"aspect": "equal"})
     widest = MM * max(r["tip_cone_radius_m"] for c in bit.cones for r in c["rows"])
     for k, (axes, cone) in enumerate(zip(panels[0], bit.cones)):
@@ -100,7 +100,7 @@ def tracking(bit):
 
 
 def contacts(bit):
-    """How many teeth of each row stand on the bottom at once."""
+    """How many teeth of each row are on the bottom at once."""
     figure, axes = style.panels(1, 1, (7.4, 2.5))
     for k, cone in enumerate(bit.cones):
         axes.plot([MM * r["tip_bit_radius_m"] for r in cone["rows"]], [r["tooth_contact_ratio"] for r in cone["rows"]], "o-",

@@ -143,7 +143,7 @@ def barycentric(seen, x, y):
 
 
 class Shifted:
-    """An image moved by up to `reach` samples; beyond its border it goes on as at the border."""
+    """An image moved by up to `reach` samples; beyond its border it continues as at the border."""
 
     def __init__(self, image, reach):
         self.reach, self.shape = reach, image.shape
@@ -156,7 +156,7 @@ class Shifted:
 
 
 def shade_of_corners(depth, reach):
-    """1 in the open, less where the surroundings (within `reach` samples) stand nearer.
+    """1 in the open, less where the surroundings (within `reach` samples) are nearer.
     Of every second sample."""
     finite = np.where(np.isfinite(depth), depth, depth[np.isfinite(depth)].max() if np.isfinite(depth).any() else 0)
     finite = finite / 2  # depth in samples, which are twice as far apart here

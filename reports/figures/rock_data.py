@@ -38,7 +38,7 @@ class Mesh:
 
 def blocks(path):
     """{group: {name: values}} of the arrays behind the head of a .vtp file of `tdbd` (src/mesh/files/vtp). VTK reads
-    such files too, as the tests of that room show; the demo does without its 150 packages."""
+    such files too, as the tests of that module show; the demo avoids its 150 packages."""
     head, _, appended = Path(path).read_bytes().partition(RAW)
     if not appended:
         raise ValueError(f"{path}: found no raw appended data, expected a frame that `tdbd run` writes")

@@ -1,4 +1,4 @@
-"""The rooms of src and their sub-folders: what each declares, and which includes which. Read from the code."""
+"""The modules of src and their sub-folders: what each declares, and which includes which. Read from the code."""
 
 from matplotlib.patches import FancyArrowPatch, Rectangle
 
@@ -17,7 +17,7 @@ def sub_folder_of(path):
 
 
 def needed(texts):
-    """{room: rooms that its files include}."""
+    """{module: modules that its files include}."""
     found = {room_of(path): set() for path in texts}
     for path, text in texts.items():
         found[room_of(path)] |= {room_of(i) for i in headers.includes(text) if room_of(i) in found} - {room_of(path)}
@@ -25,7 +25,7 @@ def needed(texts):
 
 
 def closure(needs, room):
-    """All rooms that a room reaches."""
+    """All modules that a module includes, directly or not."""
     reached, to_read = set(), [room]
     while to_read:
         to_read += (more := needs[to_read.pop()] - reached)
@@ -34,12 +34,12 @@ def closure(needs, room):
 
 
 def direct(needs):
-    """Without the includes that follow from others: an arrow to a room that another arrow leads to anyway."""
+    """Without the includes that follow from others: an arrow to a module that another arrow leads to anyway."""
     return {room: {o for o in others if not any(o in closure(needs, between) for between in others - {o})} for room, others in needs.items()}
 
 
 def level(needs, room):
-    """How many rooms stand one above the other over it."""
+    """The number of levels of modules above it."""
     return 1 + max((level(needs, user) for user, others in needs.items() if room in others), default=-1)
 
 

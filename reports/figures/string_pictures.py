@@ -1,10 +1,16 @@
-"""Pictures of a folder of tdbd string: torque and drag, broomstick plot, mode shapes, time-depth maps."""
+"""Pictures of a folder of `tdbd string`: torque and drag, broomstick plot, mode shapes, time-depth maps; a cycle of stick-slip along the
+string, and its delay at the surface."""
 
 import csv
 import json
+import math
 
 import matplotlib.pyplot as plt
 import numpy as np
+
+from figures import results, style
+
+# Pictures of a folder of tdbd string: torque and drag, broomstick plot, mode shapes, time-depth maps.
 
 NAMES = {"pull_up": "pull up", "slack_off": "slack off", "rotate": "rotate off bottom", "drill": "drill"}
 COLOURS = {"pull_up": "#b3382c", "slack_off": "#1b6ca8", "rotate": "#2a9d5c", "drill": "#d98e04"}
@@ -127,5 +133,108 @@ def pictures(folder):
     if (folder / "string.nc").is_file():
         figures["time_depth"] = time_depth(folder)
     for figure in figures.values():
-        figure.get_layout_engine().set(rect=(0.0, 0.03, 1.0, 0.97))  # the signature stands below
+        figure.get_layout_engine().set(rect=(0.0, 0.03, 1.0, 0.97))  # the signature is below
     return figures, summary
+
+
+RPM_OF_STRING_CYCLE = 30.0 / np.pi
+LEAD = 1.0  # s shown before the bit comes to rest
+STILL = 0.02  # of the mean speed: the bit is at rest below
+
+
+def stops(time, speed):
+    """Times at which the bit comes to rest, and those at which it starts again."""
+    still = speed < STILL * speed.mean()
+    return time[1:][still[1:] & ~still[:-1]], time[1:][~still[1:] & still[:-1]]
+
+
+def cycle(time, speed):
+    """(stop, start, next stop) of the last whole cycle."""
+    rests, starts = stops(time, speed)
+    if len(rests) < 2:
+        return None
+    return rests[-2], starts[starts > rests[-2]][0], rests[-1]
+
+
+def torsional_wave_speed(summary):
+    """m/s, of a result of tdbd string."""
+    return summary["courant"]["torsional"] * summary["element_length_m"] / summary["step_s"]
+
+
+def draw_map(axes, time, depth, values, words, colours):
+    shown = axes.pcolormesh(time, depth, values.T, shading="nearest", cmap=colours, rasterized=True)
+    axes.figure.colorbar(shown, ax=axes, label=words)
+    axes.set(ylabel="measured depth (m)", ylim=(depth[-1], depth[0]))
+    axes.grid(False)
+
+
+def draw_waves(axes, start, depth, wave_speed):
+    """A wave that leaves the bit, is reflected at the top and comes back."""
+    travel = depth / wave_speed
+    axes.plot([start, start + travel, start + 2.0 * travel], [depth, 0.0, depth], color="white", linestyle="--", linewidth=1.0)
+
+
+def string_cycle(inputs):
+    """Rotary speed and torque along a drill string over a cycle of stick-slip, from string.nc, with the paths of waves."""
+    import xarray
+
+    folder = inputs.folder("string-vertical")
+    with xarray.open_dataset(folder / "string.nc", decode_times=False) as data:
+        time, speed, torque = (data[name].values for name in ("time", "rotary_speed", "torque"))
+        nodes, elements = depth_of(data["node_depth"].values), depth_of(data["element_depth"].values)
+    found = cycle(time, speed[:, -1])
+    if found is None:
+        return style.only_words("a cycle of stick-slip")
+    stop, start, following = found
+    shown = (time >= stop - LEAD) & (time <= following + LEAD)
+    wave_speed = torsional_wave_speed(results.summary(folder))
+    figure, (upper, lower) = style.panels(2, 1, (7.5, 6.4), sharex=True)
+    draw_map(upper, time[shown], nodes, RPM_OF_STRING_CYCLE * speed[shown], "rotary speed (rpm)", "viridis")
+    draw_map(lower, time[shown], elements, 1e-3 * torque[shown], "torque (kN m)", "magma")
+    for axes in (upper, lower):
+        for leaves in (stop, start):
+            draw_waves(axes, leaves, nodes[-1], wave_speed)
+    lower.set_xlabel("time (s)")
+    return figure
+
+
+LENGTH, SHEAR, DENSITY = 2500.0, 79.3e9, 7850.0  # m, Pa, kg/m3: steel string of the case
+TRAVEL = LENGTH / math.sqrt(SHEAR / DENSITY)  # s
+RPM_OF_STRING_DELAY = 30.0 / math.pi
+AROUND = 0.15  # s: means over this time, so that the cutters' chatter does not hide the waves
+
+
+def smooth(time, values):
+    """(time, moving means over AROUND), without the ends, where means lack a part of their time."""
+    n = max(1, int(round(AROUND / (time[1] - time[0]))) | 1)
+    return time[n // 2:len(time) - n // 2], np.convolve(values, np.ones(n) / n, mode="valid")
+
+
+def events(time, speed):
+    """Times at which the bit comes to rest and starts again."""
+    still = speed < STILL * speed.mean()
+    change = np.diff(still.astype(int))
+    return time[1:][change == 1], time[1:][change == -1]
+
+
+def string_delay(inputs):
+    """Speed and torque of bit B at the surface and at the bit, while the bit sticks: what the bit does shows at the surface a travel time later."""
+    folder = inputs.folder("string-delay")
+    time, speed, top, surface, torque = results.history(folder, "time", "rotary_speed", "top_speed", "surface_torque", "torque_on_bit")
+    figure, (upper, lower) = style.panels(2, 1, (7.5, 5.2), sharex=True)
+    upper.plot(time, RPM_OF_STRING_DELAY * top, color=style.BLUE, label="surface")
+    upper.plot(time, RPM_OF_STRING_DELAY * speed, color=style.RED, label="bit")
+    upper.set(ylabel="rotary speed (rpm)", ylim=(None, 1.25 * RPM_OF_STRING_DELAY * speed.max()))
+    upper.legend(loc="upper right", ncols=2)
+    lower.plot(time, 1e-3 * surface, color=style.BLUE, label="surface torque")
+    lower.plot(*smooth(time, 1e-3 * torque), color=style.RED, label=f"torque on bit, means over {AROUND} s")
+    lower.set(xlabel="time (s)", ylabel="torque (kN m)", xlim=(0.0, time[-1]))
+    lower.legend(loc="upper right", ncols=2)
+    lower.set_ylim(top=1.25 * 1e-3 * surface.max())
+    for kind, colour in zip(events(time, speed), (style.BLACK, style.GREEN)):
+        for t in kind:
+            for axes in (upper, lower):
+                axes.axvline(t, color=colour, linestyle=":", linewidth=1.0)
+                axes.axvline(t + TRAVEL, color=colour, linestyle="--", linewidth=1.0)
+    lower.set_title(f"bit stops (black) and starts (green): dotted; {TRAVEL:.3f} s later, 2500 m at {LENGTH / TRAVEL:.0f} m/s: dashed")
+    return figure

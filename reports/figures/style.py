@@ -37,13 +37,13 @@ def circle(radius):
 
 
 def say_missing(axes, what):
-    """In a quick run a part may not be measured; the figure says so."""
+    """The note of a part that is not measured in a quick run."""
     axes.text(0.5, 0.5, f"{what}:\nnot measured in this run", transform=axes.transAxes, ha="center",
               va="center", color=GREY)
 
 
 def only_words(what):
-    """A figure that could not be drawn in a quick run, and says so."""
+    """A figure with a note that it could not be drawn in a quick run."""
     figure, axes = panels(1, 1, (7.0, 4.0))
     say_missing(axes, what)
     return figure

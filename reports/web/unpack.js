@@ -29,7 +29,7 @@ function arrayReader(bytes) {
 
 const BLOCK = 64;  // rows with one shift
 
-// Of each row: the row of the frame before that it continues, as page3d_match.py has it; -1 for a new one.
+// Of each row: the row of the frame before that it continues, as page3d_pack.py has it; -1 for a new one.
 function rowsBefore(count, oldCount, read) {
   const shifts = read(Math.ceil(count / BLOCK), 1)[0];
   return Int32Array.from({length: count}, (_, i) => {

@@ -90,7 +90,7 @@ void add_converge(CLI::App& app, int& exit_code) {
   command->footer(
       "Writes convergence.json and convergence.csv; reports/draw.py FOLDER draws them. An\n"
       "order needs at least three differences above rounding whose local orders have settled;\n"
-      "otherwise the table says why there is none. The numerical uncertainty of the finest level\n"
+      "otherwise the table gives the reason. The numerical uncertainty of the finest level\n"
       "follows ASME V&V 20. Surfaces of drilled holes are compared too.\n"
       "Example: tdbd converge cases/slow-top.toml --over time.step --levels 6 -o out/orders\n"
       "Both at once: tdbd converge cases/bit-b-steady.toml --over rock.edge_length \\\n"

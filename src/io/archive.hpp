@@ -14,15 +14,15 @@
 #include "core/error.hpp"
 #include "core/types.hpp"
 
-// A struct that can be stored lists its members once, beside them:
+// A struct that can be stored lists its members in a member function:
 //
 //   template <class Archive>
 //   void serialize(Archive& a) { a(time, X_WB); }
 
 namespace tdbd {
 
-/// Values one after another, as the bytes that this machine keeps them in, and a hash of their
-/// types, which tells the archive of another program apart.
+/// A sequence of values in the binary representation of this machine, and a hash of their types,
+/// which detects archives of another program.
 struct Archive {
   std::string bytes;
   std::uint64_t layout = 0;
@@ -43,12 +43,12 @@ inline constexpr bool is_plain<Eigen::Matrix<T, rows, columns>> = rows > 0 && co
 template <class T>
 inline constexpr bool is_plain<Eigen::Quaternion<T>> = true;
 
-/// What writers and readers have in common: the order of values in a container, and the layout.
+/// What writers and readers share: the order of values in a container, and the layout.
 template <class Own>
 class ArchiveVisitor {
  public:
-  /// Visits values in this order: numbers, texts, containers, small matrices, and structs with a
-  /// member `serialize`.
+  /// Visits values in the given order: numbers, texts, containers, small matrices, and structs with
+  /// a member `serialize`.
   template <class... T>
   void visit(T&... values) {
     note(sizeof...(values));
@@ -56,7 +56,7 @@ class ArchiveVisitor {
   }
 
  protected:
-  /// FNV-1a of numbers in place of bytes.
+  /// FNV-1a, applied to numbers rather than bytes.
   void note(std::uint64_t kind) { layout_ = (layout_ ^ kind) * 0x100000001b3U; }
 
   std::uint64_t layout_ = 0xcbf29ce484222325U;
@@ -124,7 +124,7 @@ class ArchiveWriter : public ArchiveVisitor<ArchiveWriter> {
   /// `head`: bytes that precede the values.
   explicit ArchiveWriter(std::string head = {}) : bytes_(std::move(head)) {}
 
-  /// Appends values. They stay as they are: `serialize` is not const since readers use it too.
+  /// Appends values without changing them. `serialize` is not const because readers use it, too.
   template <class... T>
   void operator()(const T&... values) {
     visit(const_cast<T&>(values)...);
@@ -151,22 +151,22 @@ class ArchiveWriter : public ArchiveVisitor<ArchiveWriter> {
   std::string bytes_;
 };
 
-/// Reads values in the order in which they were written. The archive must outlive it.
+/// Reads values in the order in which they were written. The archive must outlive the reader.
 class ArchiveReader : public ArchiveVisitor<ArchiveReader> {
  public:
   explicit ArchiveReader(std::string_view bytes) : bytes_(bytes) {}
 
-  /// Throws RunError where the archive ends too early.
+  /// Throws RunError if the archive ends too early.
   template <class... T>
   void operator()(T&... values) {
     visit(values...);
   }
 
-  /// Throws RunError unless all was read.
+  /// Throws RunError unless everything was read.
   void require_end() const {
     if (!bytes_.empty()) refuse();
   }
-  /// Throws RunError unless all was read, as values of the types that were written.
+  /// Throws RunError unless everything was read, as values of the types that were written.
   void require_end(std::uint64_t layout) const {
     require_end();
     if (layout != layout_) refuse();
@@ -195,7 +195,8 @@ class ArchiveReader : public ArchiveVisitor<ArchiveReader> {
     x.resize(static_cast<std::size_t>(n));
     raw(x.data(), x.size() * sizeof(x[0]));
   }
-  /// One by one: a size that is wrong runs out of bytes before it takes memory.
+  /// Grows the container value by value: a corrupt size then runs out of bytes before it allocates
+  /// much memory.
   template <class T, class Visit>
   void each(std::vector<T>& x, Visit&& visit_one) {
     x.clear();

@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view first_line = "tdbd checkpoint 3\n";
 
-/// "step = 0.001" of "step = 0.001  # s".
+/// Returns "step = 0.001" for "step = 0.001  # s".
 std::string without_comment(const std::string& line) { return line.substr(0, line.find("  #")); }
 
-/// The first line of a case that differs, after the table that it is in.
+/// Returns the first line of a case that differs, preceded by the name of its table.
 std::string first_difference(const std::string& was, const std::string& is) {
   std::istringstream old_text(was), new_text(is);
   std::string expected, found, table;
@@ -87,14 +87,14 @@ void CheckpointKeeper::attempt(Do&& act) {
     act();
   } catch (const std::exception& e) {
     if (!has_failed_ && warn_)
-      warn_(fmt::format("{}; the run goes on, to be resumed from its last good checkpoint",
+      warn_(fmt::format("{}; the run continues and can be resumed from its last good checkpoint",
                         reason_of(e)));
     has_failed_ = true;
   }
 }
 
-/// A row that is missing would be missing in the record of the run that goes on: no checkpoint
-/// follows.
+/// A missing row would also be missing in the record of the resumed run. Therefore no checkpoint is
+/// written after a failure.
 template <class Do>
 void CheckpointKeeper::log_or_end(Do&& act) {
   try {
@@ -133,14 +133,14 @@ void CheckpointKeeper::append(std::span<const double> row, RowsOf of) {
 }
 
 bool CheckpointKeeper::is_due(long steps_done) const {
-  constexpr double share = 0.01, soonest = 10.0;  // of the time; s
+  constexpr double share = 0.01, soonest = 10.0;  // of the run time; s
   if (!log_ || every_ == 0) return false;
   if (every_ > 0) return steps_done % every_ == 0;
   const std::chrono::duration<double> passed = Clock::now() - last_;
   return passed.count() > soonest && passed > cost_ / share;
 }
 
-/// At any moment one whole checkpoint has one of its names.
+/// At any moment, one complete checkpoint exists under one of its names.
 void CheckpointKeeper::replace(const Write& write) const {
   write(folder_.new_checkpoint());
   if (fs::exists(folder_.checkpoint()))
@@ -184,7 +184,7 @@ bool read_newest_checkpoint(const OutputFolder& folder,
     try {
       const long steps = read(file);
       if (!torn.empty() && warn)
-        warn(fmt::format("{}; {} is whole, after {} steps: the run goes on from there", torn,
+        warn(fmt::format("{}; {} is whole, after {} steps: the run continues from there", torn,
                          file.filename().string(), steps));
       return true;
     } catch (const RunError& e) {

@@ -16,32 +16,32 @@
 
 namespace tdbd {
 
-/// The case that a checkpoint belongs to: a run of another case is not resumed from it.
+/// Identifies the case of a checkpoint. Runs of other cases cannot be resumed from it.
 struct CaseMark {
   std::string hash;  ///< Case::hash, RotateCase::hash
   std::string text;  ///< Case::resolved, RotateCase::resolved
 };
 
-/// Content of a checkpoint's file, which has a seal (io/whole_file.hpp).
+/// Content of a checkpoint file, which has a seal (io/whole_file.hpp).
 struct CheckpointFile {
-  std::string version;  ///< of tdbd
+  std::string version;  ///< of TDBD
   CaseMark of;
   Archive state;
 };
 
-/// Writes it complete and forced to the disk, or not at all. Throws RunError.
+/// Writes the file completely and forces it to the disk, or leaves no file. Throws RunError.
 void write_checkpoint_file(const std::filesystem::path& path, const CheckpointFile& file);
 
-/// Throws RunError if the file is not a checkpoint, is torn or was changed.
+/// Throws RunError if the file is not a checkpoint, is incomplete or was changed.
 CheckpointFile read_checkpoint_file(const std::filesystem::path& path);
 
-/// The state of a checkpoint of this case and this version. Throws as read_checkpoint does.
+/// Returns the state in a checkpoint of this case and this version. Throws as read_checkpoint does.
 Archive archive_of(const std::filesystem::path& path, const CaseMark& c);
 
-/// "checkpoint PATH: REASON".
+/// Throws InputError with the message "checkpoint PATH: REASON".
 [[noreturn]] void refuse_checkpoint(const std::filesystem::path& path, const std::string& reason);
 
-/// Writes values as the checkpoint of a case. Throws RunError.
+/// Writes values as a checkpoint of a case. Throws RunError.
 template <class... T>
 void write_checkpoint(const std::filesystem::path& path, const CaseMark& c, const T&... values) {
   ArchiveWriter write;
@@ -49,9 +49,10 @@ void write_checkpoint(const std::filesystem::path& path, const CaseMark& c, cons
   write_checkpoint_file(path, {provenance().version, c, std::move(write).archive()});
 }
 
-/// Reads them. Throws RunError if the file cannot be read, is torn or was changed, and InputError if
-/// another version of tdbd wrote it, if it has other values, or if it belongs to another case: of a
-/// case that changed since, the message names the first line that did.
+/// Reads the values of a checkpoint. Throws RunError if the file cannot be read, is incomplete or
+/// was changed. Throws InputError if another version of TDBD wrote it, if it contains other values,
+/// or if it belongs to another case. If the case was changed, the message contains the first line
+/// that differs.
 template <class... T>
 void read_checkpoint(const std::filesystem::path& path, const CaseMark& c, T&... values) {
   const Archive archive = archive_of(path, c);
@@ -64,34 +65,35 @@ void read_checkpoint(const std::filesystem::path& path, const CaseMark& c, T&...
   }
 }
 
-/// Which record rows are of.
+/// The record to which rows belong.
 enum class RowsOf {
   history,
   profiles,  ///< of a string on a chain
 };
 
-/// Writes a run's checkpoints and keeps the last two. Warns once of a checkpoint that cannot be
-/// written; the run continues, and the last good one stays.
+/// Writes the checkpoints of a run and keeps the last two. If a checkpoint cannot be written, warns
+/// once; the run continues, and the last good checkpoint is kept.
 class CheckpointKeeper {
  public:
   using Warn = std::function<void(const std::string&)>;
-  /// Writes a checkpoint to this path, complete, or throws.
+  /// Writes a complete checkpoint to this path, or throws.
   using Write = std::function<void(const std::filesystem::path&)>;
 
-  /// every: steps between checkpoints; 0: none; negative: as often as takes less than 1 % of the
-  /// time.
+  /// `every`: steps between checkpoints. 0: no checkpoints; negative: as often as takes less than
+  /// 1 % of the run time.
   CheckpointKeeper(OutputFolder folder, long every, Warn warn);
 
-  /// Begins the log of a record's rows; the first `kept` exist. The history's comes first.
+  /// Starts the log of a record's rows, of which the first `kept` exist. Must be called for the
+  /// history first.
   void begin_rows(std::size_t width, long kept, RowsOf of = RowsOf::history);
-  /// None where no checkpoint follows.
+  /// Returns null if no more checkpoints will be written.
   RowLog* rows(RowsOf of = RowsOf::history);
   void append(std::span<const double> row, RowsOf of = RowsOf::history);
 
   bool is_due(long steps_done) const;
   void keep(const Write& write);
 
-  /// Once the run is complete.
+  /// Removes the checkpoints. To be called when the run is complete.
   void remove();
 
  private:
@@ -109,17 +111,17 @@ class CheckpointKeeper {
   Warn warn_;
   std::optional<RowLog> log_, profiles_;
   Clock::time_point last_ = Clock::now();
-  std::chrono::duration<double> cost_{0.1};  ///< of one, s
+  std::chrono::duration<double> cost_{0.1};  ///< run time of one checkpoint, s
   bool has_failed_ = false;
 };
 
-/// Removes a folder's checkpoints and the log of its rows.
+/// Removes the checkpoints of a folder and the logs of its rows.
 void remove_checkpoints(const OutputFolder& folder);
 
-/// Reads the newest checkpoint of a folder that can be read: `read` returns the number of steps that
-/// were done, and throws RunError for a torn file. Returns false if there is no checkpoint. Calls
-/// `warn` for a torn one that an older one replaces. Throws InputError if none can be read, and what
-/// `read` throws.
+/// Reads the newest readable checkpoint of a folder. `read` returns the number of completed steps,
+/// and throws RunError if the file is incomplete. Returns false if there is no checkpoint. Calls
+/// `warn` if the newest one is incomplete and an older one is used. Throws InputError if none can
+/// be read, and whatever `read` throws.
 bool read_newest_checkpoint(const OutputFolder& folder,
                             const std::function<long(const std::filesystem::path&)>& read,
                             const CheckpointKeeper::Warn& warn);

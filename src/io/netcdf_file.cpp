@@ -58,7 +58,7 @@ NetcdfFile::NetcdfFile(std::filesystem::path path, Use use, std::size_t memory)
     : path_(std::move(path)), use_(use), memory_(memory) {
   const NetcdfLock lock(netcdf_mutex());
   demand_memory(memory_);
-  H5dont_atexit();  // at exit HDF5 would touch files again that it could not close, and crash
+  H5dont_atexit();  // HDF5 would access unclosed files again at exit, and crash
   errno = 0;
   const PlainPath plain(path_);
   require(use_ == Use::create ? nc_create(plain.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_)
@@ -68,13 +68,13 @@ NetcdfFile::NetcdfFile(std::filesystem::path path, Use use, std::size_t memory)
 NetcdfFile::~NetcdfFile() {
   try {
     close();
-  } catch (const std::exception&) {  // it stays as it is
+  } catch (const std::exception&) {  // destructors must not throw; close() reports errors
   }
 }
 
 void NetcdfFile::require(int status) const {
   if (status == NC_NOERR) return;
-  std::string reason = nc_strerror(status);  // of a positive one often not what the kernel said
+  std::string reason = nc_strerror(status);  // for system errors often not the actual cause
   if (errno != 0)
     reason =
         status > 0 ? std::strerror(errno) : fmt::format("{} ({})", reason, std::strerror(errno));
@@ -103,7 +103,8 @@ void NetcdfFile::set_chunks(int variable, const NetcdfChunks& chunks) {
   const NetcdfLock lock(netcdf_mutex());
   const std::size_t chunk[2] = {chunks.rows, std::max<std::size_t>(1, chunks.width)};
   require(nc_def_var_chunking(id_, variable, NC_CHUNKED, chunk));
-  // A block is whole chunks, which are not needed again: a larger cache would fill memory.
+  // A block consists of whole chunks, which are not accessed again: a larger cache would waste
+  // memory.
   require(nc_set_var_chunk_cache(id_, variable, chunk[0] * chunk[1] * sizeof(double), 1, 1.0));
   constexpr int shuffled = 1, deflated = 1, fast = 1;
   if (chunks.deflated) require(nc_def_var_deflate(id_, variable, shuffled, deflated, fast));
@@ -229,7 +230,7 @@ void NetcdfFile::close() {
   if (use_ == Use::read) return require(nc_close(id));
   demand_memory(memory_);
   require(nc_sync(id));
-  put_on_disk(path_);  // the library crashes in a close that fails, so nothing may be left to fail
+  put_on_disk(path_);  // the library crashes if a close fails, so nothing may be left to write
   require(nc_close(id));
 }
 

@@ -28,8 +28,8 @@ namespace fs = std::filesystem;
   throw FolderError(fmt::format("output folder {}: {}", path.string(), reason));
 }
 
-/// Names that a command may leave in its folder, besides frames and parts. The file that each writes first, and by
-/// which its folder is known, goes last.
+/// Names of files that a command may write to its folder, except frames and parts. The file that
+/// each command writes first, which identifies its folder, is removed last.
 constexpr std::array<std::string_view, 24> result_names = {
     "summary.json",    "timing.json",        "history.nc",
     "history.csv",     "checkpoint.bin",     "rock.pvd",
@@ -48,7 +48,7 @@ std::span<const std::string_view> names_of(ResultKind kind) {
   return result_names;
 }
 
-/// "rock-000123.vtp", "bit_final.vtp": what a run writes into frames.
+/// Files that a run writes to `frames`: "rock-000123.vtp", "bit_final.vtp".
 bool is_frame(const fs::path& file) {
   static const std::regex name(R"((rock|bit)(-[0-9]{6,}|_final)\.vtp(\.partial)?)");
   return std::regex_match(file.filename().string(), name);
@@ -56,7 +56,7 @@ bool is_frame(const fs::path& file) {
 
 bool is_there(const fs::path& file) { return fs::exists(fs::symlink_status(file)); }
 
-/// What is there of an older result, and nothing that TDBD did not write.
+/// Returns the existing files of an older result, without files that TDBD did not write.
 std::vector<fs::path> old_results(const OutputFolder& folder, ResultKind kind) {
   std::vector<fs::path> old;
   for (const std::string_view name : names_of(kind))
@@ -69,7 +69,7 @@ std::vector<fs::path> old_results(const OutputFolder& folder, ResultKind kind) {
   return old;
 }
 
-/// Whether a text begins as TDBD begins one of its own: a resolved case, or a bit of either kind.
+/// Whether a file begins like one that TDBD writes: a resolved case, or a bit of either kind.
 bool is_own(const fs::path& file) {
   if (!fs::is_regular_file(file)) return false;
   std::ifstream in(file);
@@ -79,7 +79,7 @@ bool is_own(const fs::path& file) {
          line.starts_with("# A roller cone bit as built, in SI");
 }
 
-/// A folder is known by what its command wrote first.
+/// The file that a command writes first identifies its folder.
 void demand_own_folder(const OutputFolder& folder, ResultKind kind,
                        const std::vector<fs::path>& old) {
   const char* first = kind == ResultKind::bit ? "bit.toml" : "case.toml";
@@ -92,7 +92,7 @@ void demand_own_folder(const OutputFolder& folder, ResultKind kind,
                                       file.filename().string(), first));
 }
 
-/// Meshes of an older export, or of a bit that is read.
+/// The meshes of an older export, or of a bit that is an input.
 std::vector<fs::path> parts_in(const OutputFolder& folder) {
   std::vector<fs::path> parts;
   if (!fs::is_directory(folder.path / "parts")) return parts;
@@ -101,7 +101,7 @@ std::vector<fs::path> parts_in(const OutputFolder& folder) {
   return parts;
 }
 
-/// What an older result left, all of which may go.
+/// Returns the files of an older result that may be removed.
 std::vector<fs::path> replaceable(const OutputFolder& folder, ResultKind kind,
                                   const std::vector<std::string>& inputs) {
   std::vector<fs::path> old = old_results(folder, kind);
@@ -119,7 +119,7 @@ void demand_writable(const OutputFolder& folder, ResultKind kind) {
     if (access(written.c_str(), W_OK) != 0) refuse(folder.path, "not writable");
 }
 
-/// The text of a key in every [[table]] of a file; nothing where it cannot be read.
+/// Returns the text of a key in every [[table]] of a file; nothing if it cannot be read.
 std::vector<std::string> texts_of(const fs::path& file, const char* table, const char* key) {
   std::vector<std::string> texts;
   std::error_code ignored;
@@ -134,7 +134,7 @@ std::vector<std::string> texts_of(const fs::path& file, const char* table, const
   return texts;
 }
 
-/// Below parts/ and nowhere else.
+/// Whether the path is inside parts/.
 bool is_in_parts(const fs::path& name) {
   const fs::path plain = name.lexically_normal();
   return plain.is_relative() && !plain.empty() && *plain.begin() == "parts";
@@ -155,8 +155,8 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
   if (flock(folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
   close(folder_);
   throw FolderError(
-      fmt::format("output folder {}: in use: another command writes to it; wait for its end or "
-                  "take another folder",
+      fmt::format("output folder {}: in use: another command writes to it; wait until it ends "
+                  "or choose another folder",
                   folder.string()));
 }
 
@@ -254,7 +254,7 @@ std::vector<fs::path> exported_parts(const fs::path& folder) {
 void remove_parts(const fs::path& folder, const std::vector<fs::path>& files) {
   for (const fs::path& file : files) {
     fs::remove(file);
-    std::error_code not_empty;  // then it stays
+    std::error_code not_empty;  // not an error: the folder stays
     for (fs::path around = file.parent_path(); around != folder && fs::remove(around, not_empty);)
       around = around.parent_path();
   }

@@ -8,30 +8,31 @@
 
 namespace tdbd {
 
-/// Locks a folder for one writer. The kernel releases it when the object is destroyed or the
-/// process ends, however it ends.
+/// Locks a folder for one writer. The kernel releases the lock when the object is destroyed or the
+/// process ends for any reason.
 class FolderLock {
  public:
-  /// Throws FolderError "output folder PATH: in use ..." when another writer has it, RunError when
-  /// it cannot be opened. On a file system without locks nothing is locked.
+  /// Throws FolderError "output folder PATH: in use ..." if another writer has locked it, RunError
+  /// if it cannot be opened. File systems that do not support locks are not locked.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
  private:
-  int folder_ = -1;  ///< open while it is held
+  int folder_ = -1;  ///< open while it is locked
 };
 
-/// Whether results may take the place of older ones.
+/// Whether results may replace older ones.
 enum class Overwrite { no, force };
 
-/// The kind of result, which decides the names of its files: a run (with pictures of its steps in a
-/// folder `frames`), a case to rotate, a drill string alone, a study of convergence, a bit as `tdbd
-/// bit` exports it.
+/// The kind of result, which determines the names of its files: a run (with pictures of its steps
+/// in the folder `frames`), the rotation of a body, a drill string alone, a convergence study, a
+/// bit exported by `tdbd bit`.
 enum class ResultKind { run, rotate, chain, convergence, bit };
 
-/// Makes a folder with its parents. The destructor removes those that it made and that are empty.
+/// Creates a folder and its parents. The destructor removes those that it created, if they are
+/// empty.
 class MadeFolders {
  public:
   /// Throws std::filesystem::filesystem_error.
@@ -41,14 +42,14 @@ class MadeFolders {
   MadeFolders& operator=(const MadeFolders&) = delete;
 
  private:
-  std::vector<std::filesystem::path> made_;  ///< from the innermost
+  std::vector<std::filesystem::path> made_;  ///< the innermost first
 };
 
 /// A result folder, ready to be written to.
 struct OutputFolder {
   std::filesystem::path path;
-  std::shared_ptr<const FolderLock> lock = nullptr;   ///< as long as a copy of this lives
-  std::shared_ptr<const MadeFolders> made = nullptr;  ///< goes before the lock
+  std::shared_ptr<const FolderLock> lock = nullptr;   ///< locked as long as a copy of this exists
+  std::shared_ptr<const MadeFolders> made = nullptr;  ///< destroyed before the lock
 
   std::filesystem::path summary() const { return path / "summary.json"; }
   std::filesystem::path timing() const { return path / "timing.json"; }
@@ -62,59 +63,62 @@ struct OutputFolder {
   std::filesystem::path failure() const { return path / "failure.txt"; }
   std::filesystem::path frames() const { return path / "frames"; }
 
-  /// frames/NAME-000123.vtp
+  /// Returns frames/NAME-000123.vtp.
   std::filesystem::path frame(const std::string& name, long number) const;
 };
 
-/// First line of the resolved case in a result folder: it distinguishes that folder's
-/// case.toml from one that a user wrote.
+/// First line of the resolved case in a result folder. It distinguishes this case.toml from one
+/// that a user wrote.
 inline constexpr const char* resolved_head =
     "# Resolved by tdbd: every default written out, in SI.";
 
-/// Makes `path` with all parents and locks it, before a start that may take minutes: one command at
-/// a time writes to a folder. An older result stays. Throws RunError when the folder cannot be
-/// opened. Throws FolderError, and changes nothing, when it is locked; when it is not empty and
-/// `overwrite` is no; when it or its `frames` is a file; when it cannot be written to; when a file
-/// to be replaced is one of `inputs`; or when it holds such files without one that TDBD began it
-/// with: case.toml or convergence.json, bit.toml for a bit.
+/// Creates `path` and all its parents and locks it. This is done before the case is prepared, which
+/// may take minutes, so that only one command at a time writes to a folder. An older result is not
+/// removed yet. Throws RunError if the folder cannot be opened. Throws FolderError without changing
+/// anything if the folder is locked, is not empty although `overwrite` is no, or cannot be written
+/// to; if it or its `frames` is a file; if a file to be replaced is one of `inputs`; or if it
+/// contains such files but not the one that TDBD writes first (case.toml, convergence.json, or
+/// bit.toml for a bit).
 OutputFolder claim(const std::filesystem::path& path, Overwrite overwrite,
                    const std::vector<std::string>& inputs = {}, ResultKind kind = ResultKind::run);
 
-/// Removes from a claimed folder every file that the command may write (files of other names stay;
-/// of parts/ those go that the bit before was exported with), so that nothing of an older result is
-/// taken for a part of this one, and makes its `frames` when it has some. Throws like `claim`.
+/// Removes from a claimed folder every file that the command may write, so that no file of an older
+/// result is mistaken for one of this result. Files with other names stay; of parts/, only files of
+/// the previously exported bit are removed. Creates `frames` if the kind of result uses it. Throws
+/// like `claim`.
 void clear(const OutputFolder& folder, const std::vector<std::string>& inputs = {},
            ResultKind kind = ResultKind::run);
 
-/// Claims and clears.
+/// Calls claim and clear.
 OutputFolder prepare(const std::filesystem::path& path, Overwrite overwrite,
                      const std::vector<std::string>& inputs = {},
                      ResultKind kind = ResultKind::run);
 
-/// Throws FolderError unless `files` of the folder may be replaced: one that is a folder, or one of
-/// `inputs`, may not.
+/// Throws FolderError if any of `files` in the folder is itself a folder or is one of `inputs`,
+/// because these may not be replaced.
 void demand_replaceable(const std::filesystem::path& folder,
                         const std::vector<std::filesystem::path>& files,
                         const std::vector<std::string>& inputs);
 
-/// Throws FolderError when there is a file of this name, and not one that begins as TDBD's do.
+/// Throws FolderError if a file of this name exists that does not begin like one of TDBD's.
 void demand_own(const std::filesystem::path& folder, const std::string& name);
 
-/// Removes what an interrupted or failed run wrote at its end: the run is resumed. Throws RunError.
+/// Removes the files that an interrupted or failed run wrote at its end, because the run is being
+/// resumed. Throws RunError.
 void forget_end(const OutputFolder& folder);
 
-/// The meshes of parts that the bit in this folder was exported with, as far as they exist: those
-/// that its bit.toml names, and, of a roller cone bit, whose bit.toml names none, the parts of its
+/// Returns the existing mesh files of parts with which the bit in this folder was exported: those
+/// in its bit.toml, or, for a roller cone bit, whose bit.toml contains none, the parts of its
 /// solids.toml in every format in which all of them exist. TDBD did not write any other file in
-/// parts/. Empty where these files are no longer TDBD's.
+/// parts/. Empty if these files are no longer TDBD's.
 std::vector<std::filesystem::path> exported_parts(const std::filesystem::path& folder);
 
-/// Removes the files, and the folders below parts/ that this empties.
+/// Removes the files, and folders inside parts/ that become empty.
 void remove_parts(const std::filesystem::path& folder,
                   const std::vector<std::filesystem::path>& files);
 
-/// Writes what can still be written after a failure; a second failure (the disk is full) leaves the
-/// rest unwritten, since the first one is the one to report.
+/// Calls `write` after a failure, and ignores a second failure (for example a full disk), because
+/// the first one is the one to report.
 template <class Write>
 void ignore_failure(Write write) {
   try {

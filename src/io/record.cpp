@@ -20,7 +20,7 @@ std::filesystem::path csv_beside(std::filesystem::path path) {
   return path.replace_extension(".csv");
 }
 
-/// Column names with units, as a spreadsheet's first row: "position_x [m]".
+/// Returns the names of the columns with units, for the first row of the csv: "position_x [m]".
 std::string csv_head(const RecordLayout& layout) {
   std::string line;
   const auto add = [&](const RecordColumn& c, const std::string& suffix) {
@@ -36,7 +36,7 @@ std::string csv_head(const RecordLayout& layout) {
   return line + "\n";
 }
 
-/// The shortest digits that read back to the bit.
+/// Writes the shortest digits that read back exactly.
 std::string csv_line(const RecordLayout& layout, std::span<const double> row) {
   std::string line;
   for (const RecordColumn& c : layout.columns) {
@@ -48,7 +48,7 @@ std::string csv_line(const RecordLayout& layout, std::span<const double> row) {
   return line + "\n";
 }
 
-/// As the CF conventions name it.
+/// Returns the name in the CF conventions.
 const char* cell_method(Over over) {
   switch (over) {
     case Over::mean:
@@ -65,7 +65,8 @@ const char* cell_method(Over over) {
   return "";
 }
 
-/// What NetCDF and HDF5 may need at a time, bytes: where they get none they crash.
+/// Upper bound of the memory, in bytes, that NetCDF and HDF5 need at a time. They crash if an
+/// allocation fails.
 std::size_t memory_for(const RecordLayout& layout) {
   constexpr std::size_t own = 8'000'000, blocks = 4;
   return own + blocks * record_block * layout.row_width() * sizeof(double);
@@ -73,13 +74,13 @@ std::size_t memory_for(const RecordLayout& layout) {
 
 }  // namespace
 
-/// The NetCDF half of a record: an open file and the block not yet written.
+/// The NetCDF part of a record: an open file and the block that is not yet written.
 class RowsOfNetcdf {
  public:
   RowsOfNetcdf(const std::filesystem::path& file, const RecordLayout& layout)
       : file_(file, NetcdfFile::Use::create, memory_for(layout)) {
     const int time = file_.dimension("time", 0);
-    std::vector<int> dims;  // an empty axis is unlimited, and stays empty
+    std::vector<int> dims;  // an empty axis becomes unlimited, and stays empty
     for (const RecordAxis& axis : layout.axes)
       dims.push_back(file_.dimension(axis.name, axis.components.size()));
     for (const RecordColumn& c : layout.columns) {
@@ -110,7 +111,7 @@ class RowsOfNetcdf {
   }
 
  private:
-  /// A variable and its part of the block.
+  /// A variable and its values in the block.
   struct Column {
     int variable = -1;
     std::size_t width = 1;
@@ -141,7 +142,7 @@ class RowsOfNetcdf {
   NetcdfFile file_;
   std::vector<Column> columns_;
   std::size_t written_ = 0;  ///< rows in the file
-  std::size_t waiting_ = 0;  ///< rows in the block
+  std::size_t waiting_ = 0;  ///< rows in the block, not yet written
 };
 
 std::size_t RecordLayout::width(const RecordColumn& c) const {
@@ -179,7 +180,7 @@ void Record::append(std::span<const double> row) {
 }
 
 void Record::close() {
-  if (files_->csv) files_->csv->commit();  // first: the smaller one still fits on a full disk
+  if (files_->csv) files_->csv->commit();  // first: the smaller file may fit on a full disk
   files_->netcdf.close();
   rename_partial(files_->path);
 }

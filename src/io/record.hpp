@@ -10,33 +10,34 @@
 
 namespace tdbd {
 
-/// A dimension of a record beside time: "xyz" with x, y, z; "cone" with 1, 2, 3. May be empty.
+/// A dimension of a record besides time: "xyz" with x, y, z; "cone" with 1, 2, 3. May be empty.
 struct RecordAxis {
   std::string name;
   std::vector<std::string> components;  ///< suffixes of the columns in the csv
 };
 
-/// Whether a column goes into the csv too.
+/// Whether a column is also written to the csv.
 enum class InCsv { yes, no };
 
-/// What a number of a row says of the time since the last row: a cell method of the CF conventions.
+/// How a number in a row represents the time since the previous row: a cell method of the CF
+/// conventions.
 enum class Over { point, mean, sum, minimum, maximum };
 
-/// How a number is kept in the NetCDF file.
+/// The precision with which a number is stored in the NetCDF file.
 enum class Precision { full, single };
 
-/// One variable: a number a row, or one for each component of an axis.
+/// One variable: one number per row, or one per component of an axis.
 struct RecordColumn {
   std::string name;
-  std::string units;  ///< as UDUNITS reads them; "1" for counts
+  std::string units;  ///< in the syntax of UDUNITS; "1" for counts
   std::string long_name;
-  int axis = -1;  ///< place in RecordLayout::axes; -1: one number a row
+  int axis = -1;  ///< index in RecordLayout::axes; -1: one number per row
   InCsv csv = InCsv::yes;
   Over over = Over::point;
   Precision precision = Precision::full;
 };
 
-/// Texts along an axis, written once: names of parts.
+/// Texts along an axis, such as names of parts. They are written once.
 struct RecordLabels {
   std::string name;
   std::string long_name;
@@ -44,50 +45,51 @@ struct RecordLabels {
   std::vector<std::string> texts;
 };
 
-/// Whether the numbers of the NetCDF file are deflated: worth it where rows are few and long.
+/// Whether the NetCDF file is compressed (deflate). This is worthwhile if rows are few and long.
 enum class Storage { plain, deflated };
 
-/// What the files of a record hold. The first column is time.
+/// The contents of a record's files. The first column is time.
 struct RecordLayout {
   std::vector<RecordAxis> axes;
   std::vector<RecordColumn> columns;
   std::vector<RecordLabels> labels;
   Storage storage = Storage::plain;
 
-  /// How many numbers a column has in a row.
+  /// Number of values of a column in a row.
   std::size_t width(const RecordColumn& c) const;
-  /// How many numbers a row has.
+  /// Number of values in a row.
   std::size_t row_width() const;
 };
 
-/// Rows kept in memory until they are written as one block, a whole number of the file's chunks.
+/// Rows in memory before they are written as one block, a multiple of the chunk size of the file.
 inline constexpr std::size_t record_block = 512, record_chunk = 64;
 static_assert(record_block % record_chunk == 0);
 
-/// Whether a record has a csv file beside its NetCDF file.
+/// Whether a record has a csv file in addition to its NetCDF file.
 enum class CsvBeside { yes, no };
 
-/// Records rows of numbers as NetCDF-4 (dimensions time and the axes, every variable with units and
-/// long_name, and cell_methods unless it is of the row's time) and as csv beside it, its columns
-/// flat. Rows are written in blocks, so that one takes microseconds. Nothing in the files depends on
-/// when they were written.
+/// Records rows of numbers as NetCDF-4 and as csv. The NetCDF file has the dimensions time and the
+/// axes; every variable has units and long_name, and cell_methods unless its values are those at
+/// the row's time. The csv has one column per component. Rows are written in blocks, so that
+/// appending one takes microseconds. The files do not depend on the time of writing.
 class Record {
  public:
-  /// Creates `path.partial`. Throws RunError when it cannot.
+  /// Creates `path.partial`. Throws RunError if it cannot be created.
   Record(const std::filesystem::path& path, const RecordLayout& layout,
          CsvBeside csv = CsvBeside::yes);
 
-  /// Without close(), the NetCDF file stays as `.partial` with the blocks written so far; no csv.
+  /// Without close(), the NetCDF file remains as `.partial` with the blocks written so far, without
+  /// a csv.
   ~Record();
   Record(const Record&) = delete;
   Record& operator=(const Record&) = delete;
 
-  /// The numbers of all columns one after another. Throws RunError when a block cannot be written,
-  /// or the row does not have the layout's number.
+  /// Appends the numbers of all columns in order. Throws RunError if a block cannot be written or
+  /// if the number of values is not that of the layout.
   void append(std::span<const double> row);
 
-  /// Writes what is buffered and gives the files their names. An interrupted run closes too.
-  /// Throws RunError.
+  /// Writes what is buffered and renames the files to their final names. Also used for interrupted
+  /// runs. Throws RunError.
   void close();
 
  private:
@@ -95,15 +97,16 @@ class Record {
   std::unique_ptr<Files> files_;
 };
 
-/// Rows of numbers as a run makes them, one after another in a file that is readable after a kill.
-/// A resumed run makes its record again from them: a NetCDF file that was not closed is lost.
+/// A log of a run's rows, one after another, in a file that can be read after the process was
+/// killed. A resumed run writes its record again from this log, because a NetCDF file that was not
+/// closed is unreadable.
 class RowLog {
  public:
-  /// Opens the file, made if there is none, and discards all rows but the first `kept`. Throws
-  /// RunError; also if there are fewer.
+  /// Opens or creates the file and discards all rows but the first `kept`. Throws RunError, also if
+  /// there are fewer rows.
   RowLog(std::filesystem::path path, std::size_t width, long kept);
 
-  /// Calls visit(row) for the rows that were kept.
+  /// Calls visit(row) for every kept row.
   void replay(const std::function<void(std::span<const double>)>& visit);
 
   void append(std::span<const double> row);

@@ -82,7 +82,7 @@ void WholeFile::commit() {
 void write_text(const std::filesystem::path& path, const std::string& text) {
   WholeFile file(path);
   errno = 0;
-  file.stream() << text;  // written at once if longer than the buffer of the stream
+  file.stream() << text;  // written immediately if it is longer than the buffer of the stream
   if (!file.stream()) fail_to_write(path, errno != 0 ? std::strerror(errno) : "a write failed");
   file.commit();
 }
@@ -113,7 +113,7 @@ std::string read_sealed(const std::filesystem::path& path) {
   const std::size_t data = bytes.size() < length ? 0 : bytes.size() - length;
   const std::string_view all = bytes;
   if (all.substr(data) != seal_of(all.substr(0, data)))
-    throw RunError(fmt::format("{}: it is torn or was changed", path.string()));
+    throw RunError(fmt::format("{}: the file is incomplete or was changed", path.string()));
   bytes.resize(data);
   return bytes;
 }

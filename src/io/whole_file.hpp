@@ -6,18 +6,19 @@
 
 namespace tdbd {
 
-/// `path.partial`: where a file is written until it is complete.
+/// Returns `path.partial`, where a file is written until it is complete.
 std::filesystem::path partial_path(const std::filesystem::path& path);
 
 /// Renames `path.partial` to `path`. Throws RunError.
 void rename_partial(const std::filesystem::path& path);
 
-/// Forces a file, or the names in a folder, to the disk. Throws RunError with the error of any write
-/// since it was opened.
+/// Forces a file, or the entries of a folder, to the disk. Throws RunError with the error of any
+/// write since it was opened.
 void put_on_disk(const std::filesystem::path& path);
 
-/// A file that appears complete or not at all: bytes go to `path.partial`, which commit() renames to
-/// `path`. Without commit() nothing is left behind, and an older file at `path` is untouched.
+/// A file that is written completely or not at all: bytes are written to `path.partial`, which
+/// commit() renames to `path`. Without commit() no file is left, and an older file at `path` is
+/// unchanged.
 class WholeFile {
  public:
   /// Throws RunError if the file cannot be created.
@@ -28,7 +29,7 @@ class WholeFile {
 
   std::ostream& stream() { return stream_; }
 
-  /// Closes and renames. Throws RunError if any write failed (full disk).
+  /// Closes and renames the file. Throws RunError if any write failed (for example on a full disk).
   void commit();
 
  private:
@@ -40,22 +41,22 @@ class WholeFile {
   bool committed_ = false;
 };
 
-/// Writes a text file, complete or not at all. Throws RunError.
+/// Writes a text file, or none if writing fails. Throws RunError.
 void write_text(const std::filesystem::path& path, const std::string& text);
 
-/// Appends a seal, a hash of all bytes of the file. Readers of the formats that are sealed (NetCDF)
-/// do not look beyond their own data. Throws RunError.
+/// Appends a seal, which is a hash of all bytes of the file. Readers of the sealed format (NetCDF)
+/// ignore bytes after their own data. Throws RunError.
 void seal_file(const std::filesystem::path& path);
 
-/// Throws RunError unless the file ends with the hash of what precedes it: it was not sealed, is
-/// torn, or was changed. NetCDF trusts what it reads (of a header with one wrong byte it requests
-/// a terabyte) and is given sealed files only.
+/// Throws RunError unless the file ends with the hash of the preceding bytes, that is, if it was
+/// not sealed, is incomplete or was changed. NetCDF does not validate its input (a header with one
+/// wrong byte can make it allocate a terabyte), so it may only open sealed files.
 void require_seal(const std::filesystem::path& path);
 
-/// Writes bytes and their seal, complete and forced to the disk, or not at all. Throws RunError.
+/// Writes bytes and their seal and forces them to the disk, or leaves no file. Throws RunError.
 void write_sealed(const std::filesystem::path& path, const std::string& bytes);
 
-/// The bytes of a sealed file. Throws RunError as require_seal does.
+/// Returns the bytes of a sealed file without the seal. Throws RunError like require_seal.
 std::string read_sealed(const std::filesystem::path& path);
 
 }  // namespace tdbd

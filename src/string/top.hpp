@@ -12,7 +12,7 @@ struct Top {
   };
   enum class Axial {
     rate,        ///< lowered at the commanded rate
-    hook_load,   ///< hangs on a commanded force
+    hook_load,   ///< suspended by a commanded force
     autodriller  ///< lowered at a rate that controls the weight measured at the surface
   };
   Torsion torsion = Torsion::speed;

@@ -22,11 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files of cases, as far as these can be read.
+/// The files of those cases that can be read.
 struct Seen {
   std::set<std::string> files;
   bool any = false;           ///< a case could be read
-  std::string first_problem;  ///< of the first that could not
+  std::string first_problem;  ///< the mistakes of the first case that could not
 };
 
 void look_at(const Design& d, const std::vector<std::string>& overrides, Seen& seen) {
@@ -38,9 +38,9 @@ void look_at(const Design& d, const std::vector<std::string>& overrides, Seen& s
   }
 }
 
-/// The bytes of all files that points read. Only levels that are texts name files: each is looked at
-/// once, with the first levels of all other factors. Where neither these nor points in between can
-/// be read, it is the design that is wrong.
+/// Returns the contents of all files that points read. Only levels that are texts can name files.
+/// Each of them is read once, with the first levels of all other factors. If none of these cases
+/// can be read, nor some points in between, the design itself is wrong.
 std::string content_of(const Design& d, const Points& points) {
   constexpr long others = 8;
   Seen seen;
@@ -62,7 +62,7 @@ std::string content_of(const Design& d, const Points& points) {
   return fnv1a_hex(all);
 }
 
-/// Hands out points and takes what comes of them.
+/// Distributes the points over threads and collects the results.
 class Workers {
  public:
   Workers(const Design& d, const Points& points, const std::vector<std::string>& keys,
@@ -76,7 +76,7 @@ class Workers {
         starts_(options.keeping),
         found_(found) {}
 
-  /// Throws what a journal threw; the threads end after their points.
+  /// Rethrows errors of the journal. The threads end after their current points.
   void work() {
     const auto threads = std::min(static_cast<std::size_t>(options_.threads), todo_.size());
     {
@@ -130,7 +130,7 @@ class Workers {
   std::exception_ptr failure_;
 };
 
-/// Points of the shard, of those that are run, that no journal has.
+/// Returns the points of the shard that are to be run and are in no journal.
 std::vector<long> points_to_do(const Shard& shard, const std::vector<std::string>& keys,
                                const PointRecords& records, const Judged& judged,
                                SweepResult& result) {
@@ -147,7 +147,8 @@ std::vector<long> points_to_do(const Shard& shard, const std::vector<std::string
   return todo;
 }
 
-/// The filter's figure at every point: each shard needs all of them, and takes those that are there.
+/// Evaluates the filter at every point. Each shard needs the values of all points, and uses those
+/// that other shards have already computed.
 Judged judge_points(const Design& d, const Points& points, Journal& journal, SweepOptions options) {
   const Design planar = planar_design(d);
   const std::vector<std::string> keys = point_keys(planar, points);

@@ -13,39 +13,41 @@ struct Shard {
   long i = 1, n = 1;
 };
 
-/// How a sweep is carried out.
+/// Options of a sweep.
 struct SweepOptions {
-  std::filesystem::path table;  ///< NAME.nc; its points are kept in NAME.points beside it
+  std::filesystem::path table;  ///< NAME.nc; its points are stored in NAME.points beside it
   Shard shard;
-  int threads = 1;  ///< points at a time
+  int threads = 1;  ///< number of points that run at the same time
   const std::atomic<bool>* interrupted =
-      nullptr;  ///< set from outside: points under way are given up
-  std::function<void(long, long)> progress = {};  ///< points done and in all, of this shard
-  Keeping keeping = Keeping::on;  ///< changes the time that a sweep takes, nothing else
+      nullptr;  ///< set by another thread: running points are abandoned
+  std::function<void(long, long)> progress = {};  ///< points completed and in all, of this shard
+  Keeping keeping = Keeping::on;                  ///< affects the run time only
 };
 
-/// What came of it.
+/// The result of a sweep.
 struct SweepResult {
   long points = 0;    ///< of the design
   long of_shard = 0;  ///< of this shard
-  long found = 0;     ///< done before
-  long failed = 0;    ///< of those done
+  long found = 0;     ///< completed before
+  long failed = 0;    ///< among those completed
   long done = 0;      ///< of the design, by all shards
   long on_front = 0;
   bool interrupted = false;
-  bool written = false;  ///< the table: all points of the design are done
+  bool written = false;  ///< whether the table was written: all points of the design are completed
   std::string first_failure;
 };
 
-/// Runs the points of a shard that no journal has, several at a time, each on one thread, and writes
-/// the table once every point of the design is done, whoever did it. Killed anywhere it loses the
-/// points under way, and goes on when it is called again. Throws InputError and RunError.
+/// Runs the points of a shard that are in no journal, several at a time, each on one thread. Writes
+/// the table once every point of the design is completed, by any shard. If the process is killed,
+/// only the running points are lost, and another call resumes the sweep. Throws InputError and
+/// RunError.
 SweepResult run_sweep(const Design& d, const SweepOptions& options);
 
-/// What tells points apart: program, command, content of all files, figures, overrides.
+/// Returns the keys that distinguish points: a hash of program, command, contents of all files,
+/// figures and overrides.
 std::vector<std::string> point_keys(const Design& d, const Points& points);
 
-/// NAME.points beside NAME.nc.
+/// Returns NAME.points, beside NAME.nc.
 std::filesystem::path points_folder(const std::filesystem::path& table);
 
 }  // namespace tdbd::sweep

@@ -1,8 +1,8 @@
-"""The blind test: laws that the calibration does not know drill bits, and what it predicts is judged.
+"""The blind test: predicts bits that are drilled with laws unknown to the calibration, and evaluates the predictions.
 
-Predictions of all draws are written before a truth exists: the laboratory first drills the fitted bits alone, the
-withheld bit's records go into the calibration with the rates asked for and no readings, and only when the last
-prediction is written does the laboratory drill the withheld bits.
+All predictions are written before any true load exists. The laboratory first drills the fitted bits
+only. The records of the withheld bit enter the calibration with rates of penetration but without
+readings. The laboratory drills the withheld bits after the last prediction is written.
 """
 
 import csv
@@ -44,12 +44,12 @@ def bits(names):
 
 
 def seeds(draw, pairing_index, is_truth):
-    """No two calls of the laboratory share one."""
+    """Seeds of the laboratory. No two calls share one."""
     return f"laboratory.seed={1000 * (draw + 1) + 10 * pairing_index + int(is_truth)}"
 
 
 def add_withheld(path, bit, fitted_bit):
-    """The tests of the withheld bit: those of a fitted one under its name, without readings."""
+    """The tests of the withheld bit: those of a fitted bit under its name, without readings."""
     with path.open(newline="", encoding="utf-8") as file:
         heading, *rows = csv.reader(file)
     place = {name.split(" [")[0]: i for i, name in enumerate(heading)}
@@ -65,7 +65,7 @@ def add_withheld(path, bit, fitted_bit):
 
 
 def predict(program, job):
-    """Fits and predicts; what is left is what the calibration saw and what it said."""
+    """Fits and predicts. Leaves only the input and the results of the calibration."""
     p = job.pairing
     shutil.rmtree(job.folder, ignore_errors=True)
     job.folder.mkdir(parents=True)
@@ -74,12 +74,12 @@ def predict(program, job):
     add_withheld(job.records(), p.withheld, p.fitted[0])
     program.calibrate(lab_runs.CASES / f"lab-{p.name}.toml", job.folder / "result",
                       (f"calibration.records={job.records()}", "noise.rop=0"))
-    for cuts in (job.folder / "result").glob("cuts-*.nc"):  # copies
+    for cuts in (job.folder / "result").glob("cuts-*.nc"):  # copies of cut runs
         cuts.unlink()
 
 
 def truths(program, out, draws):
-    """{(law, bit, draw or None)}: rows without noise (None) and with that of a draw. Drilled after all predictions."""
+    """{(law, bit, draw or None)}: rows without noise (None) or with that of a draw. Called after all predictions."""
     calls = [(law, p, draw) for law in LAWS for p in PAIRINGS for draw in (None, *range(draws))]
 
     def drill(call):
@@ -92,13 +92,13 @@ def truths(program, out, draws):
 
 
 def matched(predictions, rows):
-    """Pairs of a prediction and the same test's row."""
+    """Pairs each prediction with the row of the same test."""
     by_place = {(r["test"], r["rate_of_penetration"]): r for r in rows}
     return [(p, by_place[p["test"], p["rate_of_penetration"]]) for p in predictions]
 
 
 def judged(law, pairing, jobs, truth):
-    """One row of the table: errors against the loads without noise, coverage of readings with noise."""
+    """One row of the table: errors relative to loads without noise, coverage of readings with noise."""
     errors, covered, extrapolates = {k: [] for k in LOADS}, [], 0
     for job in jobs:
         predictions = lab_runs.read_rows(job.predictions())
@@ -117,10 +117,10 @@ def judged(law, pairing, jobs, truth):
 
 
 def run(program, out, draws=DRAWS):
-    """The table's rows: hidden law x pairing."""
+    """Returns the rows of the table: hidden law x pairing."""
     out = Path(out)
     shutil.rmtree(out, ignore_errors=True)
     jobs = [Job(law, p, draw, out / f"{law}-{p.name}-{draw}") for law in LAWS for p in PAIRINGS for draw in range(draws)]
     program.each(lambda job: predict(program, job), jobs)
-    truth = truths(program, out, draws)  # nothing of it existed before
+    truth = truths(program, out, draws)  # computed last, so that no prediction can use it
     return [judged(law, p, [j for j in jobs if (j.law, j.pairing) == (law, p)], truth) for law in LAWS for p in PAIRINGS]

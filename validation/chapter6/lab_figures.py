@@ -1,4 +1,4 @@
-"""The counterparts of figures 6.2 to 6.6 and D.1 to D.4, and ours: objectives beside withheld errors, the blind test."""
+"""Counterparts of figures 6.2 to 6.6 and D.1 to D.4, and more: objectives and withheld errors, the blind test."""
 
 import sys
 from dataclasses import dataclass, field
@@ -11,7 +11,7 @@ from figures import style  # noqa: E402
 
 PRESSURE_COLOURS = (style.BLUE, style.RED)
 LAW_COLOURS = {"hanson-hansen": style.BLUE, "size-effect": style.GREEN, "thin-cut": style.RED, "detournay": style.GOLD}
-LOADS = {"wob": ("WOB [kN]", 1e3), "tob": ("TOB [kN m]", 1e3)}  # heading, SI in one of its units
+LOADS = {"wob": ("WOB [kN]", 1e3), "tob": ("TOB [kN m]", 1e3)}  # heading, and one of its units in SI
 METRES_PER_HOUR = 1 / 3600  # m/s
 SYNTHETIC = "Synthetic laboratory: a known law with noise, nothing measured."
 NOT_THEIRS = "We hold the title of the thesis's figure, not its picture."
@@ -20,7 +20,7 @@ NOT_THEIRS = "We hold the title of the thesis's figure, not its picture."
 @dataclass(frozen=True)
 class Figure:
     name: str
-    counterpart: str  # "figure 6.3"; empty: ours
+    counterpart: str  # "figure 6.3"; empty: not in the thesis
     title: str
     caption: str
     drawing: object = field(hash=False)  # a matplotlib figure
@@ -47,14 +47,14 @@ def column(rows, name, scale):
 
 
 def readings(axes, rows, load, colour, noise=0.0424):
-    """What the laboratory read, with two standard deviations of its noise (3 % a reading and 3 % a test)."""
+    """Plots the laboratory's readings with two standard deviations of its noise (3 % per reading and 3 % per test)."""
     _, scale = LOADS[load]
     values = column(rows, load, scale)
     axes.errorbar(rates(rows), values, yerr=[2 * noise * v for v in values], fmt="o", color=colour, capsize=2, elinewidth=0.9)
 
 
 def law_lines(axes, rows, load, colour, words):
-    """The law at the recorded rates, joined, and its interval of a reading."""
+    """Plots the law at the recorded rates as a line, and its interval of a reading."""
     _, scale = LOADS[load]
     axes.plot(rates(rows), column(rows, f"{load}_mean", scale), color=colour, label=words)
     axes.fill_between(rates(rows), column(rows, f"{load}_low", scale), column(rows, f"{load}_high", scale), color=colour, alpha=0.15,
@@ -69,7 +69,7 @@ def label(axes, load, rows):
 
 
 def with_law(rows, bits):
-    """A panel for each load (down) and bit (across): readings, the law, its intervals."""
+    """One panel per load (rows) and bit (columns): readings, the law, its intervals."""
     figure, axes = style.panels(2, len(bits), (3.4 * len(bits) + 0.4, 5.0), squeeze=False, sharex=True, sharey="row")
     for j, bit in enumerate(bits):
         for i, load in enumerate(LOADS):
@@ -81,14 +81,14 @@ def with_law(rows, bits):
         axes[1, j].set_xlabel("rate of penetration [m/h]")
     for place, load in zip(axes[:, 0], LOADS):
         place.set_ylabel(LOADS[load][0])
-        place.set_ylim(bottom=0)  # of its row: after all of it is drawn
+        place.set_ylim(bottom=0)  # of the whole row, so after everything is drawn
     axes[0, 0].set_xticks(rates(chosen(rows, bits[0], pressures_of(rows)[0])))
     axes[0, 0].legend(loc="upper left")
     return figure
 
 
 def predicted(rows, bit):
-    """WOB and TOB of the withheld bit, side by side."""
+    """WOB and TOB of the withheld bit."""
     figure, axes = style.panels(1, 2, (7.2, 3.1), sharex=True)
     for place, load in zip(axes, LOADS):
         for pressure, colour in zip(pressures_of(rows), PRESSURE_COLOURS):
@@ -102,7 +102,7 @@ def predicted(rows, bit):
 
 
 def sample_record(rows, exact, bit="B"):
-    """The tests of one bit as the laboratory writes them, beside the loads without noise."""
+    """The tests of one bit as the laboratory writes them, and the loads without noise."""
     figure, axes = style.panels(1, 2, (7.2, 3.1), sharex=True)
     for place, load in zip(axes, LOADS):
         for pressure, colour in zip(pressures_of(rows), PRESSURE_COLOURS):
@@ -116,7 +116,7 @@ def sample_record(rows, exact, bit="B"):
 
 
 def objectives(results):
-    """Objective and withheld error of every fit of a law: what table 6.4 alone cannot tell."""
+    """Objective and withheld error of every fit of a law, which table 6.4 does not contain."""
     figure, axes = style.panels(1, 2, (7.2, 3.3))
     width, modes = 0.36, list(lab_runs.MODES)
     for i, mode in enumerate(modes):
@@ -140,7 +140,7 @@ def objectives(results):
 
 
 def two_laws(results):
-    """Hanson-Hansen and thin cut over the withheld bit: predicted over read."""
+    """Hanson-Hansen and thin cut for the withheld bit: predicted over measured loads."""
     figure, axes = style.panels(1, 3, (7.6, 3.1), sharey=True)
     for place, p in zip(axes, PAIRINGS):
         for law, marker in (("hanson-hansen", "o"), ("thin-cut", "x")):

@@ -1,4 +1,4 @@
-"""Runs the program for the counterparts of chapter 6 and appendix D, and reads what it leaves."""
+"""Runs the program for the counterparts of chapter 6 and appendix D, and reads its output."""
 
 import csv
 import json
@@ -15,12 +15,12 @@ PSI = 6894.757293168361  # Pa
 
 
 class Failure(Exception):
-    """The program failed or a file is not what it should be; the message says which and what to do."""
+    """The program failed or a file is not as expected. The message names it and suggests a remedy."""
 
 
 @dataclass(frozen=True)
 class Pairing:
-    name: str  # in the names of cases
+    name: str  # as in the names of cases
     fitted: tuple
     withheld: str
 
@@ -35,7 +35,7 @@ MODES = {"combined": "", "separate": "-separate"}
 
 @dataclass(frozen=True)
 class Program:
-    """tdbd, where its cut runs lie, and settings that every call gets (--quick: coarser cut runs)."""
+    """The program tdbd, the folder of its cut runs, and settings for every call (--quick: coarser cut runs)."""
 
     path: Path
     cuts: Path
@@ -56,7 +56,7 @@ class Program:
         self.call("calibrate", case, "-o", output, "--force", "--quiet", settings=settings)
 
     def each(self, action, subjects):
-        """The action on each subject, some at a time; results in the subjects' order."""
+        """Applies the action to each subject, several at a time. Returns the results in the order of subjects."""
         with ThreadPoolExecutor(self.workers) as pool:
             return list(pool.map(action, subjects))
 
@@ -81,7 +81,7 @@ def number(text):
 
 
 def read_rows(path):
-    """Rows of a csv as {name without its unit: value}; numbers as numbers, an empty cell as ""."""
+    """Reads rows of a csv as {name without unit: value}, with numbers as numbers and "" for an empty cell."""
     with Path(path).open(newline="", encoding="utf-8") as file:
         headings, *rows = csv.reader(file)
     names = [h.split(" [")[0] for h in headings]
@@ -90,7 +90,7 @@ def read_rows(path):
 
 @dataclass(frozen=True)
 class Result:
-    """One calibration: calibration.json, and the records it fitted and predicted, with what it computed."""
+    """One calibration: calibration.json, and the fitted and predicted records with the computed loads."""
 
     law: str
     pairing: Pairing
@@ -100,7 +100,7 @@ class Result:
     predicted: list
 
     def sets(self):
-        """The coefficient sets: one, or one for each pressure."""
+        """The coefficient sets: one for all pressures, or one for each."""
         return self.json.get("by_pressure", [self.json])
 
 
@@ -111,7 +111,7 @@ def read_result(folder, law, pairing, mode):
 
 
 def differ(found, expected, tolerance):
-    """Whether two records files say different things: other tests, or numbers that rounding does not explain."""
+    """Whether two files of records contain different tests, or numbers that differ by more than rounding."""
     def same(a, b):
         if isinstance(a, float) and isinstance(b, float):
             return abs(a - b) <= tolerance * max(abs(a), abs(b))
@@ -122,13 +122,13 @@ def differ(found, expected, tolerance):
 
 
 def make_records(program, out, record):
-    """The laboratory's records and its loads without noise. Those in the tree must be what the laboratory makes."""
+    """Makes the laboratory's records and its loads without noise. Fails unless the stored records agree."""
     made, exact = Path(out) / "records.csv", Path(out) / "exact.csv"
     program.laboratory(LABORATORY, made, threads=program.workers)
     program.laboratory(LABORATORY, exact, ("noise.reading=1e-12", "noise.test=0", "noise.rop=0"))
     if record:
         RECORDS.write_bytes(made.read_bytes())
-    tolerance = 0.1 if program.settings else 1e-6  # coarse cut runs, rounding
+    tolerance = 0.1 if program.settings else 1e-6  # for coarse cut runs, or for rounding
     if differ(read_rows(made), read_rows(RECORDS), tolerance):
         raise Failure(f"{RECORDS}: not what tdbd laboratory {LABORATORY} makes; if a change of the program or of the "
                       "laboratory is the reason: validation/chapter6/make.py TDBD OUT --record")
@@ -136,8 +136,8 @@ def make_records(program, out, record):
 
 
 def calibrate_all(program, out, records):
-    """{(law, pairing's name, mode): Result} of all cases."""
-    own = (f"calibration.records={records}",) if program.settings else ()  # of coarse cut runs
+    """Returns {(law, pairing's name, mode): Result} of all cases."""
+    own = (f"calibration.records={records}",) if program.settings else ()  # with coarse cut runs
 
     def one(which):
         law, pairing, mode = which

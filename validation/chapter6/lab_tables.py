@@ -1,4 +1,4 @@
-"""The counterparts of tables 6.1 to 6.4, D.1 and D.2, and ours: what is identified, and the blind test."""
+"""Counterparts of tables 6.1 to 6.4, D.1 and D.2, and additional tables: identifiability, and the blind test."""
 
 import math
 import tomllib
@@ -20,10 +20,10 @@ MEANING = {
 
 @dataclass(frozen=True)
 class Table:
-    """Rows as they are in the csv; the Markdown shows the same words."""
+    """Rows as written to the csv. The Markdown contains the same text."""
 
     name: str
-    counterpart: str  # "table 6.1"; empty: ours
+    counterpart: str  # "table 6.1"; empty: not in the thesis
     title: str
     caption: str
     headings: list
@@ -87,7 +87,7 @@ def starts(results):
 
 
 def coefficient_rows(result):
-    """A row for each coefficient of each set, with the truth beside where the law is the laboratory's."""
+    """One row per coefficient and set. Includes the true value if the law is that of the laboratory."""
     known, rows = truth(), []
     for s in result.sets():
         where = in_psi(s["pressure_pa"]) if "pressure_pa" in s else "both"
@@ -139,7 +139,7 @@ def objective_row(r):
 
 
 def verdict(results):
-    """What separate fits do to the objective and to the withheld bit, over the pairings; in numbers."""
+    """The effect of separate fits on the objective and on the withheld bit, for each pairing, as numbers."""
     said = []
     for p in PAIRINGS:
         both = {m: results["hanson-hansen", p.name, m].json for m in lab_runs.MODES}

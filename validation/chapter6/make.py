@@ -3,8 +3,9 @@
 
     validation/chapter6/make.py TDBD OUT [--draws N] [--quick] [--record]
 
-Writes OUT/tables/NAME.csv and NAME.md, OUT/figures/NAME.png and OUT/chapter6.json, which lists them with their
-captions. Cut runs are kept in OUT/cuts. Exit code 1, and a message, when the program fails.
+Writes OUT/tables/NAME.csv and NAME.md, OUT/figures/NAME.png and OUT/chapter6.json, which lists them
+with their captions. Cut runs are kept in OUT/cuts. If the program fails, prints a message and exits
+with code 1.
 """
 
 import argparse
@@ -23,7 +24,7 @@ import lab_tables  # noqa: E402
 from study_tools import markdown_table  # noqa: E402
 
 DPI = 200
-# The thesis's order, ours after it. A table and a figure of one name stand together.
+# The order of the thesis, followed by additional ones. A table and a figure with the same name are shown together.
 ORDER = ("sample-record", "starts", "fit-bc", "coefficients-combined", "prediction-a", "fit-bc-separate", "coefficients-separate",
          "prediction-a-separate", "objectives", "coefficients-ac", "fit-ac", "coefficients-ab", "fit-ab", "prediction-b", "prediction-c",
          "identified", "thin-cut", "two-laws", "blind")
@@ -60,7 +61,7 @@ def item(kind, made):
 
 
 def draw(results, records, exact, blind_rows, folder):
-    import matplotlib  # slow to load, and --quick draws nothing
+    import matplotlib  # imported late because it is slow to load and --quick draws nothing
     matplotlib.use("Agg")
     import lab_figures
     figures = lab_figures.figures(results, lab_runs.read_rows(records), lab_runs.read_rows(exact), blind_rows)

@@ -1,4 +1,4 @@
-"""chapter6_test.py TDBD ROOT: the counterparts of chapter 6 from coarse cut runs; the blind test is blind."""
+"""chapter6_test.py TDBD ROOT: the counterparts of chapter 6 with coarse cut runs; the blind test is blind."""
 
 import json
 import pathlib

@@ -1,4 +1,4 @@
-"""compare_test.py ROOT: errors, floors and verdicts of a made-up result; mistakes are named."""
+"""compare_test.py ROOT: errors, floors and verdicts of an invented result; messages name the mistakes."""
 
 import contextlib
 import io
@@ -16,7 +16,7 @@ import validate  # noqa: E402
 
 HEADER = ("test,bit,wob [N],tob [N m],wob_mean [N],wob_se [N],wob_low [N],wob_high [N],tob_mean [N m],tob_se [N m],"
           "tob_low [N m],tob_high [N m],measured_wob [N],measured_tob [N m]\n")
-# Weight 10 % too high and 10 % too low; a torque 20 % too high, and one that nobody read.
+# Weight 10 % too high and 10 % too low; a torque 20 % too high, and one without a reading.
 ROWS = ("t,A,1000,50,1100,1,1050,1150,60,1,40,80,1000,50\n"
         "t,A,2000,,1800,1,1700,2100,60,1,40,80,2000,\n")
 WHY = "Made up."

@@ -1,4 +1,4 @@
-"""data_test.py ROOT: the rows are those that their sources describe, and the records are made of them."""
+"""data_test.py ROOT: the rows agree with the descriptions of their sources, and the records are made from them."""
 
 import csv
 import hashlib
@@ -76,7 +76,7 @@ class Floors(unittest.TestCase):
             return {"year": year, "n_blades": "4", "rpm": "80", "ROP_ft_hr": rate, "WOB_lbf": weight}
         rows = [row("2019", x, 100.0 * x) for x in (10.0, 20.0, 40.0)] + [row("2020", x, 110.0 * x) for x in (15.0, 30.0, 50.0)]
         ratios = bit_rows.ratios(rows, "4")
-        self.assertEqual(len(ratios), 2)  # the third one lies beyond 2019
+        self.assertEqual(len(ratios), 2)  # the third one is beyond the range of 2019
         for ratio in ratios:
             self.assertAlmostEqual(ratio, 0.1, delta=1e-12)
 

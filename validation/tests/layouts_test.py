@@ -1,4 +1,4 @@
-"""layouts_test.py TDBD ROOT: other layouts change the keys that they name, and give bits that can be built."""
+"""layouts_test.py TDBD ROOT: other layouts change the keys that they list, and give bits that can be built."""
 
 import pathlib
 import subprocess

@@ -1,4 +1,4 @@
-"""quick_test.py TDBD ROOT: the comparisons of single cutters run from the data to their rows, the same bytes twice."""
+"""quick_test.py TDBD ROOT: runs comparisons of single cutters twice, with bitwise identical results."""
 
 import csv
 import json
@@ -67,7 +67,7 @@ class Quick(unittest.TestCase):
 
 class Readme(unittest.TestCase):
     def test_example_of_five_rows_works_as_it_stands(self):
-        """With a bit of ours in the place of the reader's."""
+        """With a bit of this repository instead of the reader's."""
         text = (ROOT / "validation/README.md").read_text(encoding="utf-8")
         block = lambda kind: re.search(f"```{kind}\n(.*?)```", text, re.DOTALL).group(1)
         self.assertEqual(len(block("csv").splitlines()), 6)

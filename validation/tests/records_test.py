@@ -1,6 +1,6 @@
-"""records_test.py TDBD ROOT: the records of chapter 6 are those that the synthetic laboratory makes with this program.
+"""records_test.py TDBD ROOT: the records of chapter 6 agree with those that this program's laboratory makes.
 
-Without it a change of the program shows only when the whole report is made.
+Without this test, a change of the program would only be noticed when the whole report is made.
 """
 
 import pathlib

@@ -1,4 +1,4 @@
-"""split_test.py ROOT: nothing is fitted and compared at once, and split.toml says what the cases do."""
+"""split_test.py ROOT: no record is both fitted and compared, and split.toml agrees with the cases."""
 
 import pathlib
 import sys

@@ -34,7 +34,7 @@ class Completion(unittest.TestCase):
         (cls.folder / "results").mkdir()
 
     def offers(self, *words):
-        """What stands on offer for the last word, sorted."""
+        """Returns the completions of the last word, sorted."""
         done = subprocess.run(["bash", "-c", ASK, "bash", "tdbd", *words], cwd=self.folder, capture_output=True, text=True, check=True)
         self.assertEqual(done.stderr, "")
         return sorted(done.stdout.splitlines())

@@ -72,7 +72,7 @@ TEST(SameBytes, a_path_from_the_end_of_another_run) {
   EXPECT_EQ(summary["steps"], 20);
 }
 
-/// The rock at the end of a run is the rock at the start of the next, to the bit.
+/// The rock at the end of a run is bitwise identical to that at the start of the next.
 TEST(SameBytes, a_rock_read_back_is_the_rock_written) {
   const SmallCase c;
   ASSERT_EQ(c.run({}, "before").exit_code, 0);

@@ -7,7 +7,7 @@
 #include "verification/battery/shapes.hpp"
 
 /// Counts for the counterparts of the thesis's activity diagrams (figs. 4.2, 4.3, 4.11, 4.13,
-/// 4.15): how often runs took each branch of TDBD (reports/figures/cutting_activity).
+/// 4.15): how often runs took each branch of TDBD (reports/figures/activities).
 namespace tdbd::claims::rock_activity_test {
 
 using Json = nlohmann::ordered_json;

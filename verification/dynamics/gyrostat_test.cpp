@@ -60,15 +60,15 @@ TEST(InertiaProblem, is_none_within_the_tolerance_of_the_largest_inertia) {
 /// The rest is bounded by rounding, so that a heavy cone is recognised in any unit.
 TEST(InertiaProblem, names_a_heavy_cone_in_any_unit) {
   for (const double scale : {1e-12, 1.0, 1e12})
-    EXPECT_NE(
-        problem(scale * diagonal(0.4, 0.9, 1.0), {{Vec3::UnitZ(), scale * 0.9}}).find("heavier"),
-        std::string::npos);
+    EXPECT_NE(problem(scale * diagonal(0.4, 0.9, 1.0), {{Vec3::UnitZ(), scale * 0.9}})
+                  .find("more inertia"),
+              std::string::npos);
 }
 
 /// Of nothing all is symmetric; and where the tolerance is all that is left, the cones took the rest.
 TEST(InertiaProblem, of_a_bound_that_is_just_met_has_its_own_name) {
   EXPECT_NE(problem(Mat3::Zero()).find("not positive"), std::string::npos);
-  EXPECT_NE(problem(diagonal(tolerance::inertia, 1, 1), {}, InertiaCheck::off).find("heavier"),
+  EXPECT_NE(problem(diagonal(tolerance::inertia, 1, 1), {}, InertiaCheck::off).find("more inertia"),
             std::string::npos);
   EXPECT_EQ(problem(diagonal(2.0 * tolerance::inertia, 1, 1), {}, InertiaCheck::off), "");
   const double least = tolerance::inertia;  // the body's share about x is less than nothing by it
@@ -104,7 +104,7 @@ TEST(InertiaProblem, names_what_the_equations_cannot_use_even_when_the_check_is_
               std::string::npos);
     EXPECT_EQ(problem(diagonal(1, 1, 1), {{Vec3::UnitX(), 0.0}}, check),
               "cone 1: an axial inertia of 0 kg m2");
-    EXPECT_NE(problem(diagonal(1, 1, 1), {{Vec3::UnitX(), 1.0}}, check).find("heavier"),
+    EXPECT_NE(problem(diagonal(1, 1, 1), {{Vec3::UnitX(), 1.0}}, check).find("more inertia"),
               std::string::npos);
   }
 }
@@ -113,7 +113,7 @@ TEST(InertiaProblem, counts_the_transverse_inertia_that_every_cone_has) {
   // A disc of axial inertia 0.9 has at least 0.45 about its diameters: nothing is left for the
   // body.
   const std::vector<Cone> disc = {{Vec3::UnitZ(), 0.9}};
-  EXPECT_NE(problem(diagonal(0.4, 0.9, 1.0), disc).find("heavier"), std::string::npos);
+  EXPECT_NE(problem(diagonal(0.4, 0.9, 1.0), disc).find("more inertia"), std::string::npos);
   EXPECT_EQ(problem(diagonal(0.4, 0.9, 1.0), disc, InertiaCheck::off), "");
 }
 

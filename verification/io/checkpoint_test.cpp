@@ -263,7 +263,8 @@ TEST(CheckpointKeeper, warns_once_where_it_cannot_write) {
   for (int i = 0; i < 2; ++i)
     keeper.keep([](const fs::path&) { throw std::runtime_error("no room"); });
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_EQ(warnings[0], "no room; the run goes on, to be resumed from its last good checkpoint");
+  EXPECT_EQ(warnings[0],
+            "no room; the run continues and can be resumed from its last good checkpoint");
   EXPECT_EQ(text_of(folder.checkpoint()), "good");
   EXPECT_FALSE(fs::exists(folder.previous_checkpoint()));
 }

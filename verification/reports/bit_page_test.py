@@ -14,7 +14,7 @@ import numpy as np
 
 PROGRAM, ROOT = map(pathlib.Path, sys.argv[1:3])
 sys.path.insert(0, str(ROOT / "reports"))
-from figures import bit_charts, bit_data, update_directions  # noqa: E402
+from figures import bit_charts, bit_data, bit_pictures  # noqa: E402
 
 ROUNDING = 1e-13  # of sums of some ten numbers of size 1
 IMAGE = r'src="data:image/(?:png|svg\+xml);base64,[A-Za-z0-9+/]{2000,}=*"'
@@ -131,7 +131,7 @@ class Charts(unittest.TestCase):
             self.assertAlmostEqual(np.hypot(*c["tip_m"][:2]), c["tip_radius_m"], delta=ROUNDING)
 
     def test_update_directions_stand_in_the_plane_of_the_axis_and_the_place(self):
-        for place, direction in update_directions.starts(self.bit):
+        for place, direction in bit_pictures.starts(self.bit):
             across = np.cross([0, 0, 1], [*place[:2], 0])
             self.assertAlmostEqual(np.dot(across, direction), 0.0, delta=ROUNDING)
             self.assertAlmostEqual(np.linalg.norm(direction), 1.0, delta=ROUNDING)

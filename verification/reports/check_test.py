@@ -81,7 +81,7 @@ class Check(unittest.TestCase):
 
     def test_names_a_number_in_prose_that_comes_from_nowhere(self):
         self.project.write("benchmarks/README.md", "# A snail\n\nIt does 3.5 mm/s.\n")
-        self.assert_named("benchmarks/README.md", "1 numbers and no stated.py")
+        self.assert_named("benchmarks/README.md", "1 numbers and no [stated]")
 
 
 if __name__ == "__main__":

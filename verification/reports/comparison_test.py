@@ -8,10 +8,9 @@ import unittest
 from small_project import REPORTS, Project
 
 sys.path.insert(0, str(REPORTS))
-import comparison_costs  # noqa: E402
-import comparison_verdicts  # noqa: E402
+import comparison_tables  # noqa: E402
 from comparison import protocol  # noqa: E402
-from comparison_results import Result  # noqa: E402
+import comparison_results  # noqa: E402
 
 PROTOCOL = """
 [runs.bit-b]
@@ -52,7 +51,7 @@ class Made(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.project = Project(folder.name)
-        for script in [REPORTS / "figures/style.py", *(REPORTS / "figures").glob("compare_*.py")]:
+        for script in [REPORTS / "figures/style.py", REPORTS / "figures/compare.py"]:
             shutil.copy(script, self.project.root / "reports/figures")
         self.project.write("reports/protocol.toml", PROTOCOL)
         self.project.write("reports/comparison_costs.csv", COSTS)
@@ -98,7 +97,7 @@ class Made(unittest.TestCase):
 
     def test_a_run_whose_cost_was_never_measured_is_named(self):
         self.project.write("reports/comparison_costs.csv", COSTS.replace("bit-b/15m/h", "bit-b/7.2m/h"))
-        self.make("comparison_costs.csv: found no processor time of the run bit-b/15m/h", "reports/comparison_costs.py")
+        self.make("comparison_costs.csv: found no processor time of the run bit-b/15m/h", "reports/comparison_results.py")
         self.project.write("reports/comparison_costs.csv", COSTS + "bit-b/15m/h,behr,much,1.0\n")
         self.make("comparison_costs.csv:4: found 'bit-b/15m/h,behr,much,1.0', expected run,model,cpu_s,simulated_s")
         self.project.write("reports/comparison_costs.csv", COSTS.replace("3.0", "4.5"))
@@ -107,7 +106,7 @@ class Made(unittest.TestCase):
 
     def test_is_made_again_when_a_case_or_a_bit_changed(self):
         self.make()
-        for file in ("cases/compare/b.toml", "cases/bits/bit-b.toml", "reports/figures/compare_areas.py"):
+        for file in ("cases/compare/b.toml", "cases/bits/bit-b.toml", "reports/figures/compare.py"):
             with self.subTest(file):
                 path = self.project.root / file
                 self.project.write(file, (path.read_text(encoding="utf-8") if path.is_file() else "") + "\n# another\n")
@@ -123,11 +122,11 @@ class Made(unittest.TestCase):
 
     def test_waves_of_the_bottom_are_counted(self):
         self.make()
-        result = Result(self.project.out / "comparison/data/bit-b/15m/h")
+        result = comparison_results.Result(self.project.out / "comparison/data/bit-b/15m/h")
         self.assertEqual(result.strongest("tdbd", 1), [73])
         self.assertAlmostEqual(result.harmonics("tdbd")[73], 1e-3)
         self.assertIsNone(result.strongest("behr", 1))
-        self.assertTrue(comparison_verdicts.mesh_shows({"whirl-1500": [({}, result)]}, "whirl-1500", 73).holds)
+        self.assertTrue(comparison_tables.mesh_shows({"whirl-1500": [({}, result)]}, "whirl-1500", 73).holds)
 
 
 class Protocol(unittest.TestCase):
@@ -137,7 +136,7 @@ class Protocol(unittest.TestCase):
         self.assertEqual(len({r.name for r in runs}), len(runs))
         for run in runs:
             self.assertTrue((root / run.case).is_file(), run.case)
-        costs = comparison_costs.read(REPORTS / comparison_costs.NAME)
+        costs = comparison_results.read_costs(REPORTS / comparison_results.COSTS)
         self.assertEqual(set(costs), {r.name for r in runs})
         for run, models in costs.items():
             self.assertGreater(max(c for c in models.values() if c is not None), 0.0, run)

@@ -1,7 +1,7 @@
 """high_frequency_test.py TDBD ROOT BUILD: the claim chapter6/high-frequency, on short runs of its two cases.
 
 Weight and torque at 1000 Hz keep their spectrum at 512 Hz, and their lines are where case and bit say. The
-measures are those of figure 6.7's counterpart: reports/figures/{resample,spectra,case_lines}.py.
+measures are those of figure 6.7's counterpart: reports/figures/signals.py.
 """
 
 import pathlib
@@ -16,7 +16,7 @@ from evidence_file import Recorder
 
 TDBD, ROOT, BUILD = map(pathlib.Path, sys.argv[1:])
 sys.path.insert(0, str(ROOT / "reports"))
-from figures import case_lines, resample, results, spectra  # noqa: E402
+from figures import results, signals  # noqa: E402
 
 CLAIM = "chapter6/high-frequency"
 RATE, UP, DOWN = 1000.0, 64, 125
@@ -43,7 +43,7 @@ class HighFrequency(unittest.TestCase):
     def setUpClass(cls):
         cls.made = tempfile.TemporaryDirectory()
         cls.folders = {case: drilled(pathlib.Path(cls.made.name), case) for case in RUNS}
-        cls.lines = {case: case_lines.of_run(folder) for case, folder in cls.folders.items()}
+        cls.lines = {case: signals.lines_of_run(folder) for case, folder in cls.folders.items()}
 
     @classmethod
     def tearDownClass(cls):
@@ -62,8 +62,8 @@ class HighFrequency(unittest.TestCase):
         for case, rock in WORDS.items():
             for name, load in LOADS.items():
                 x = self.samples(case, name)
-                off = {way: np.abs(spectra.ratios(make(x, UP, DOWN), RATE * UP / DOWN, x, RATE)[1] - 1.0).max()
-                       for way, make in (("filtered", resample.resampled), ("naive", resample.interpolated))}
+                off = {way: np.abs(signals.ratios(make(x, UP, DOWN), RATE * UP / DOWN, x, RATE)[1] - 1.0).max()
+                       for way, make in (("filtered", signals.resampled), ("naive", signals.interpolated))}
                 self.assertTrue(self.recorder().bound(
                     CLAIM, f"{rock}: density of the {load} at 512 Hz over that at 1000 Hz, 2 to 220 Hz, farthest from 1",
                     off["filtered"], "1", 3e-4))
@@ -77,7 +77,7 @@ class HighFrequency(unittest.TestCase):
             x = self.samples("high-frequency", name)
             self.assertTrue(self.recorder().near(
                 CLAIM, f"homogeneous rock: nearest of the eight strongest lines of the {load} over blades times rotation",
-                nearest(spectra.strongest(x, RATE, 8), lines.blades) / lines.blades, 1.0, 0.015))
+                nearest(signals.strongest(x, RATE, 8), lines.blades) / lines.blades, 1.0, 0.015))
             self.assertTrue(self.recorder().bound(
                 CLAIM, f"homogeneous rock: rms of the {load} over its mean", x.std() / x.mean(), "1", 0.009))
 
@@ -93,9 +93,9 @@ class HighFrequency(unittest.TestCase):
     def test_lines_of_dipping_beds_are_where_rotation_and_advance_put_them(self):
         """Lines of the transform are 1/6 Hz apart; the parabola between them finds what stands alone to a tenth of that."""
         lines = self.lines["high-frequency-beds"]
-        comb = case_lines.bedding_comb(lines, up_to=60.0)
+        comb = signals.bedding_comb(lines, up_to=60.0)
         for name, load in LOADS.items():
-            found = spectra.strongest(self.samples("high-frequency-beds", name), RATE, 10)
+            found = signals.strongest(self.samples("high-frequency-beds", name), RATE, 10)
             away = [np.abs(comb - frequency).min() for frequency, _ in found]
             self.assertTrue(self.recorder().bound(
                 CLAIM, f"dipping beds: ten strongest lines of the {load}, farthest from |k f +- m b|: f turns and b pairs of beds "
@@ -107,7 +107,7 @@ class HighFrequency(unittest.TestCase):
 
     def test_dipping_beds_excite_the_shaft(self):
         lines = self.lines["high-frequency-beds"]
-        frequency, _ = spectra.strongest(self.samples("high-frequency-beds", "rotary_speed"), RATE, 1)[0]
+        frequency, _ = signals.strongest(self.samples("high-frequency-beds", "rotary_speed"), RATE, 1)[0]
         self.assertTrue(self.recorder().near(
             CLAIM, "dipping beds: strongest line of the rotary speed over the torsional frequency of shaft and mass",
             frequency / lines.torsion, 1.0, 0.15))

@@ -237,7 +237,7 @@ class Packing(unittest.TestCase):
     def test_a_trace_keeps_its_peaks(self):
         values = np.sin(np.arange(10_000.0))
         values[[1234, 7001]] = 9.0, -9.0
-        trace = page3d.page3d_facts.trace("x", "m", np.arange(10_000.0), values)
+        trace = page3d.of_run.trace("x", "m", np.arange(10_000.0), values)
         self.assertEqual((max(trace["high"]), min(trace["low"])), (9.0, -9.0))
         self.assertEqual((len(trace["time"]), len(trace["high"]), len(trace["low"])), (400, 400, 400))
 

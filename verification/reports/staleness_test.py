@@ -263,7 +263,7 @@ PAGE_3D = BIT_PAGE.replace("def write", "class Frames:\n    missing = []\n\ndef 
 
 
 class Pages3d(BitPages):
-    """3-D pages of runs, likewise; one that lacks a frame is none."""
+    """The same for 3-D pages of runs. A page without a frame is not one."""
 
     list, script, page_of, helper, source, kind = "pages3d", "page3d.py", "3d/one.html", "page3d_pack.py", PAGE_3D, "3-D page"
 

@@ -18,12 +18,12 @@ over all days, within
 7 % of what it was, and its defect 2e-7.
 """
 MODULE = '''
-GIVEN = ["edges of 2 mm"]
-
-
-def stated():
-    yield "Its speed is {:.1f} mm/s over all days, within {:.0f} % of", 1.24, 7.2
-    yield "its defect {:.0e}", 2.1e-7
+[stated]
+given = ["edges of 2 mm"]
+numbers = [
+    ["Its speed is {:.1f} mm/s over all days, within {:.0f} % of", "[1.24, 7.2]"],
+    ["its defect {:.0e}", "2.1e-7"],
+]
 '''
 
 
@@ -46,7 +46,7 @@ class Made(unittest.TestCase):
     def write(self, text, module=None):
         self.readme.write_text(text, encoding="utf-8")
         if module is not None:
-            (self.study / "stated.py").write_text(module, encoding="utf-8")
+            (self.study / "study.toml").write_text(module, encoding="utf-8")
 
     def problem(self):
         [problem] = stated.problems(self.root)
@@ -66,8 +66,8 @@ class Made(unittest.TestCase):
         self.assertIn("line 9: 12.5 comes from no file", self.problem())
 
     def test_a_study_without_stated_numbers_is_named(self):
-        (self.study / "stated.py").unlink()
-        self.assertIn("4 numbers and no stated.py", self.problem())
+        (self.study / "study.toml").unlink()
+        self.assertIn("4 numbers and no [stated]", self.problem())
 
 
 if __name__ == "__main__":

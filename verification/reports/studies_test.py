@@ -10,39 +10,42 @@ from small_project import Project
 ROOT = pathlib.Path(sys.argv[1])
 sys.path.insert(0, str(ROOT / "reports"))
 import studies  # noqa: E402
+import study  # noqa: E402
+import study_runs  # noqa: E402
 
 PNG = b"\x89PNG\r\n\x1a\n"
 MAKE = """
-import pathlib, sys
-data = (pathlib.Path(__file__).parent / "data.csv").read_text()
-(pathlib.Path(sys.argv[1]) / "table.md").write_text(f"| n |\\n|---|\\n| {data} |\\n")
+[[tables]]
+file = "data.csv"
 """
 
 
 class Shipped(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.made, cls.before = studies.Studies(ROOT, folder.name), cls.files()
+        cls.was_stale = {study.name: cls.made.update(study) for study in cls.made.runs()}
+
+    @staticmethod
+    def files():
+        return sorted((ROOT / "reports/studies").rglob("*"))
+
     def test_every_study_makes_what_it_shows(self):
-        found = studies.find(ROOT)
-        self.assertTrue(found)
-        with tempfile.TemporaryDirectory() as folder:
-            made = studies.Studies(ROOT, folder)
-            for study in found:
-                with self.subTest(study.name):
-                    self.assertTrue(made.update(study))
-                    self.assertFalse(made.update(study))
-                    self.assertTrue(study.title and study.text.strip(), "README.md explains nothing")
-                    if table := made.table(study):
-                        self.assertIn("<td", table)
-                    if figure := made.figure(study):
-                        self.assertTrue(figure.read_bytes().startswith(PNG))
+        self.assertTrue(self.was_stale)
+        for study in self.made.runs():
+            with self.subTest(study.name):
+                self.assertTrue(self.was_stale[study.name])
+                self.assertFalse(self.made.update(study))
+                self.assertTrue(study.title and study.text.strip(), "README.md explains nothing")
+                if table := self.made.table(study):
+                    self.assertIn("<td", table)
+                if figure := self.made.figure(study):
+                    self.assertTrue(figure.read_bytes().startswith(PNG))
 
     def test_making_writes_nothing_beside_the_data(self):
-        files = lambda: sorted((ROOT / "reports/studies").rglob("*"))
-        before = files()
-        with tempfile.TemporaryDirectory() as folder:
-            made = studies.Studies(ROOT, folder)
-            for study in made.runs():
-                made.update(study)
-        self.assertEqual(files(), before)
+        self.assertEqual(self.files(), self.before)
 
 
 class Made(unittest.TestCase):
@@ -53,8 +56,8 @@ class Made(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.project = Project(folder.name)
         self.write("README.md", "# Why <n>\n\nBecause `n`.\n\n## How\n\n    tdbd run\n")
-        self.write("make.py", MAKE)
-        self.write("data.csv", "17")
+        self.write("study.toml", MAKE)
+        self.write("data.csv", "n\n17\n")
 
     def write(self, file, text):
         return self.project.write(f"reports/studies/why/{file}", text)
@@ -73,7 +76,7 @@ class Made(unittest.TestCase):
 
     def test_is_made_again_when_its_data_changed(self):
         self.make()
-        self.write("data.csv", "18")
+        self.write("data.csv", "n\n18\n")
         self.make("study why: its table or figure is missing, or its files changed", arguments=("--check",))
         self.assertTrue(self.make())
         self.assertIn("<td>18</td>", (self.project.out / "index.html").read_text(encoding="utf-8"))
@@ -86,16 +89,69 @@ class Made(unittest.TestCase):
         self.assertTrue(self.make())
 
     def test_that_is_broken_leaves_no_report(self):
-        self.write("make.py", "raise SystemExit('no column n')\n")
-        self.make("study why: make.py failed with exit code 1", "no column n")
+        self.write("study.py", "raise SystemExit('no column n')\n")
+        self.make("study why: making failed with exit code 1", "no column n")
         self.assertFalse((self.project.out / "index.html").exists())
-        self.write("make.py", "pass\n")
-        self.make("study why: make.py wrote neither table.md nor figure.png")
-        self.write("make.py", MAKE)
+        self.write("study.py", "")
+        self.write("study.toml", "")
+        self.make("study why: made neither table.md nor figure.png")
+        self.write("study.toml", '[[tables]]\nrows = "data"\ncolumns = [["m", "r[\'m\']"]]\n')
+        self.make("study why: \"r['m']\" failed: KeyError: 'm'")
+        self.write("study.toml", "[figures]\n")
+        self.make("study.toml: found figures, expected figure, let, measure, stated, tables")
+        self.write("study.toml", MAKE)
         self.write("README.md", "Because.\n")
         self.make("study why: README.md begins with 'Because.', expected \"# TITLE\"")
         (self.project.root / "reports/studies/why/README.md").unlink()
         self.make("README.md is missing")
+
+
+MEASURED = """
+[[measure.runs]]
+file = "speeds.csv"
+case = "/dev/null"
+set = {"rock.wall" = "2 mm"}
+grid = [["edge, mm", "rock.edge_length", [2, 1], "mm"], ["step, ms", "time.step", [0.5]]]
+columns = [["speed, mm/s", "1e3 * s['speed']", ".1f"]]
+
+[[measure.printed]]
+file = "forces.csv"
+program = "verify"
+tests = "Snail.*"
+pattern = "force {n} N, (\\\\w+)"
+columns = [["force, N", ".2f"], ["verdict", ""]]
+"""
+TDBD = """#!/bin/sh
+echo "$@" >> "$(dirname "$0")/calls"
+mkdir -p "$4" && echo '{"speed": 0.0125}' > "$4/summary.json"
+"""
+
+
+class Measured(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        for file, text in {"study.toml": MEASURED, "tdbd": TDBD, "verification/verify": "#!/bin/sh\necho force 1.5 N, holds\necho force -2 N, fails\n"}.items():
+            path = self.root / file
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+            path.chmod(0o755)
+
+    def text(self, file):
+        return (self.root / file).read_text(encoding="utf-8")
+
+    def test_writes_a_row_for_each_run_and_each_line_that_tests_print(self):
+        study_runs.measure(study.load(self.root), self.root)
+        self.assertEqual(self.text("speeds.csv"), '"edge, mm","step, ms","speed, mm/s"\n2,0.5,12.5\n1,0.5,12.5\n')
+        self.assertEqual(self.text("forces.csv"), '"force, N",verdict\n1.50,holds\n-2.00,fails\n')
+        self.assertIn('--set rock.wall="2 mm" --set rock.edge_length="1 mm" --set time.step=0.5', self.text("calls"))
+
+    def test_keeps_runs_and_measures_parts(self):
+        for _ in range(2):
+            study_runs.measure(study.load(self.root), self.root, self.root / "kept", ["speeds.csv"])
+        self.assertEqual(len(self.text("calls").splitlines()), 2)
+        self.assertFalse((self.root / "forces.csv").exists())
 
 
 if __name__ == "__main__":

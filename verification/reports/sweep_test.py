@@ -11,7 +11,6 @@ import numpy as np
 TDBD, ROOT = (pathlib.Path(word).resolve() for word in sys.argv[1:])
 sys.path[:0] = [str(ROOT / "reports"), str(ROOT / "verification/sweep/app")]
 import sweep  # noqa: E402
-import sweep_table  # noqa: E402
 from small_sweeps import tops  # noqa: E402
 
 FIGURES = ("steps", "energy_drift_max")
@@ -20,7 +19,7 @@ DESIGN = tops(20, ("time.step", "values = [0.005, 0.01, 0.02]"), ("integrator.dr
 
 
 def column(values, words=()):
-    return sweep_table.Column("x", "x", np.array(values, float), list(words))
+    return sweep.Column("x", "x", np.array(values, float), list(words))
 
 
 class MainEffects(unittest.TestCase):
@@ -28,22 +27,22 @@ class MainEffects(unittest.TestCase):
         """y = 3 a + b over a full design: shares 9 and 1 of the variances, the means are the terms about the mean."""
         a, b = (np.ravel(m) for m in np.meshgrid([0.0, 1.0, 2.0, 3.0], [-1.0, 0.0, 5.0], indexing="ij"))
         y = column(3.0 * a + b)
-        places, means, share_a = sweep_table.main_effect(column(a), y)
+        places, means, share_a = sweep.main_effect(column(a), y)
         np.testing.assert_allclose(means, 3.0 * np.array(places) + b.mean(), rtol=1e-15)
-        share_b = sweep_table.main_effect(column(b), y)[2]
+        share_b = sweep.main_effect(column(b), y)[2]
         self.assertAlmostEqual(share_a, 9.0 * a.var() / (9.0 * a.var() + b.var()), places=14)
         self.assertAlmostEqual(share_a + share_b, 1.0, places=14)
 
     def test_of_a_sampled_factor_are_those_of_equal_shares(self):
         x = np.random.default_rng(1).permutation(np.linspace(0.0, 1.0, 800))
-        places, means, share = sweep_table.main_effect(column(x), column(x))
+        places, means, share = sweep.main_effect(column(x), column(x))
         np.testing.assert_allclose(places, (np.arange(8) + 0.5) / 8, atol=1e-3)
         np.testing.assert_allclose(means, places)
         self.assertAlmostEqual(share, 1.0 - 1.0 / 64.0, places=3)  # what is left varies inside an eighth
 
     def test_of_a_constant_and_of_no_number(self):
-        self.assertEqual(sweep_table.main_effect(column([1, 2]), column([5, 5]))[2], 0.0)
-        self.assertEqual(sweep_table.main_effect(column([1, 2]), column([np.nan, np.nan]))[:2], ([], []))
+        self.assertEqual(sweep.main_effect(column([1, 2]), column([5, 5]))[2], 0.0)
+        self.assertEqual(sweep.main_effect(column([1, 2]), column([np.nan, np.nan]))[:2], ([], []))
 
 
 class Pictures(unittest.TestCase):
@@ -60,7 +59,7 @@ class Pictures(unittest.TestCase):
         cls.made.cleanup()
 
     def test_effects_show_every_point(self):
-        table = sweep_table.read(self.table)
+        table = sweep.read_table(self.table)
         self.assertEqual(table.factors[1].words, ["lie-mean", "lie-midpoint"])
         figure = sweep.effects(table)
         axes = figure.axes[0]
@@ -70,7 +69,7 @@ class Pictures(unittest.TestCase):
         self.assertEqual([t.get_text() for t in figure.axes[1].texts], ["0 %"])
 
     def test_parallel_coordinates_have_a_line_for_each_point_and_thick_ones_for_the_front(self):
-        table = sweep_table.read(self.table)
+        table = sweep.read_table(self.table)
         [axes] = sweep.parallel(table).axes
         lines = axes.get_lines()[:6]
         self.assertEqual(sum(line.get_linewidth() > 1.0 for line in lines), int(table.front.sum()))

@@ -12,7 +12,7 @@ from small_project import INDEX, MANIFEST, Project
 ROOT = pathlib.Path(sys.argv[1])
 sys.path.insert(0, str(ROOT / "reports"))
 import manifest as manifests  # noqa: E402
-import page_contents  # noqa: E402
+import page  # noqa: E402
 import thesis_index  # noqa: E402
 
 # The last number of every chapter, from the thesis's lists of figures and of tables.
@@ -117,7 +117,7 @@ class Contents(unittest.TestCase):
 
     def test_every_figure_and_claim_of_the_report_stands_once(self):
         whole = manifests.read(ROOT / "reports")
-        chapters = page_contents.chapters(whole)
+        chapters = page.chapters(whole)
         self.assertEqual(sorted(f.name for c in chapters for f in c.figures), sorted(f.name for f in whole.figures))
         self.assertEqual(sorted(c.slug for h in chapters for c in h.claims), sorted(c.slug for c in whole.claims))
 

@@ -45,7 +45,7 @@ SweepResult swept(const Design& d, const fs::path& table, int threads = 1, Shard
   return run_sweep(d, {table, shard, threads});
 }
 
-/// The table's figures are those of the summary that `run` writes, to the bit.
+/// The table's figures are bitwise identical to those of the summary that `run` writes.
 TEST(Sweep, figures_are_those_of_single_runs) {
   const fs::path folder = empty_folder("figures");
   const Design d = design_from(folder, small_hole(rakes_and_rates));

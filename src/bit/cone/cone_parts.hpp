@@ -13,7 +13,7 @@ namespace tdbd::bit {
 Pose tooth_pose(const ConeLayout& cone, const ToothRow& row, double angle);
 
 /// Makes the parts cone-K/body and cone-K/row-J/tooth-I (K, J, I from 1): closed meshes at the
-/// cone's angle 0. The body cuts only if the layout says so; the teeth always cut. `index`: the
+/// cone's angle 0. The body cuts only if the layout requires it; the teeth always cut. `index`: the
 /// cone's index in the bit (Part::cone). direct_teeth sets the teeth's update directions. Thesis:
 /// 3.1, fig. 3.5.
 std::vector<Part> cone_parts(const Cone& cone, int index);

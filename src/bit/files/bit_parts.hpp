@@ -35,8 +35,8 @@ struct PartsFromFiles {
 ///                         its frame (position and rotation_vector) if that is given, otherwise
 ///                         from the exposure profile; outwards for a gage pad; down for all others
 /// Records every mistake at its line: files that are missing or unreadable, meshes that are open,
-/// flipped or not manifold, two parts of one name, groups that disagree, no part that cuts, sizes
-/// that no bit has (unit_question.hpp; not with unit_check = "off") and, if densities are required,
+/// flipped or not manifold, two parts of one name, groups that disagree, no part that cuts,
+/// unusual sizes (unit_question.hpp; not with unit_check = "off") and, if densities are required,
 /// those that are missing.
 PartsFromFiles read_parts(Config& file, DirectionRule directions, InsideRule inside,
                           Densities densities = Densities::as_given);

@@ -22,7 +22,7 @@ std::string listed(const std::vector<std::string>& names);
 
 /// What is expected in place of a missing density, for messages.
 inline constexpr const char* density_wanted =
-    "a density, or 0 for what is counted elsewhere: mass properties are asked for";
+    "a density, or 0 for what is counted elsewhere: mass properties are required";
 
 /// Records, at the key that names a mesh file, the faults of its solids and how to repair them.
 void note_mesh_faults(Config& c, const std::string& key, const std::string& file,

@@ -24,8 +24,8 @@ namespace tdbd::bit {
 ///                    otherwise from the exposure profile for the parts of a cutter
 ///   [[solids.cones]] journals of cones whose solids turn (solid_cones.hpp)
 /// Records every mistake at its line: files that cannot be read, solids that enclose no volume,
-/// solids without a kind, rules that match no solid, two parts of one name, no part that cuts, a
-/// size that no bit has (unit_question.hpp; not with unit_check = "off") and, if densities are
+/// solids without a kind, rules that match no solid, two parts of one name, no part that cuts, an
+/// unusual size (unit_question.hpp; not with unit_check = "off") and, if densities are
 /// required, those that are missing.
 PartsFromFiles read_solid_parts(Config& file, DirectionRule directions, InsideRule inside,
                                 Densities densities = Densities::as_given);

@@ -17,7 +17,7 @@ namespace {
 
 using forces::LawField;
 
-/// A bit of the calibration; without parts if its file has mistakes, which are noted.
+/// A bit of the calibration. It has no parts if its file contains mistakes, which are recorded.
 struct NamedBit {
   std::string name;
   bit::Bit bit;
@@ -36,7 +36,7 @@ std::vector<NamedBit> read_bits(Config& c, const std::vector<Tool>& tools) {
   return bits;
 }
 
-/// What an area gives, and its unknowns.
+/// Reads the coefficients that an area sets, and its unknowns.
 CoefficientArea read_area(bit::AreaTable& table, int index, forces::Law law, AreaValues values,
                           std::vector<Unknown>& unknowns) {
   CoefficientArea area{table.rule.name, table.rule.selector, {}};
@@ -68,7 +68,7 @@ bool has_law(const bit::Part& part) {
   return part.cutter >= 0 && part.kind != bit::PartKind::cutter_body;
 }
 
-/// The kinds of the parts of an area that follow the law.
+/// Returns the kinds of the parts in an area that use the law.
 std::vector<bit::PartKind> kinds_of(const bit::AreaSelector& selector,
                                     const std::vector<NamedBit>& bits) {
   std::vector<bit::PartKind> kinds;
@@ -82,7 +82,7 @@ std::vector<bit::PartKind> kinds_of(const bit::AreaSelector& selector,
   return kinds;
 }
 
-/// Finds the kinds of the parts of each area; notes areas without one.
+/// Finds the kinds of the parts in each area. Records areas without parts as mistakes.
 void find_kinds(bit::Areas& tables, const std::vector<NamedBit>& bits,
                 std::vector<CoefficientArea>& areas) {
   std::string names;
@@ -96,7 +96,7 @@ void find_kinds(bit::Areas& tables, const std::vector<NamedBit>& bits,
   }
 }
 
-/// The area that decides each field of each part: per field, then per part.
+/// Returns the area that determines each field of each part: per field, then per part.
 std::vector<std::vector<int>> decided_of(bit::Areas& areas, const bit::Bit& bit, forces::Law law,
                                          const AreaLaws& read,
                                          const std::vector<Unknown>& unknowns) {
@@ -145,7 +145,8 @@ std::string selector_toml(const bit::AreaSelector& s) {
   return text;
 }
 
-/// Whether an area that gives the kind, too, and so decides, has these criteria and gives the field.
+/// Whether another area that includes the kind, and therefore takes precedence, has these criteria
+/// and sets the field.
 bool is_given_by_another(const std::vector<CoefficientArea>& areas, const CoefficientArea& area,
                          const std::string& criteria, std::size_t field) {
   return !area.selector.kind && std::ranges::any_of(areas, [&](const CoefficientArea& other) {

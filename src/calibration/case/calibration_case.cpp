@@ -33,7 +33,8 @@ Intervals read_intervals(Config c) {
           .seed = static_cast<std::uint64_t>(c.read(seed))};
 }
 
-/// The records, or none after mistakes that join those of the case.
+/// Returns the records. If the file contains mistakes, adds them to those of the case and returns
+/// none.
 Records read_records_of(Config& c, const std::string& file) {
   try {
     if (!file.empty()) return read_records(file);
@@ -43,7 +44,8 @@ Records read_records_of(Config& c, const std::string& file) {
   return {};
 }
 
-/// Cut runs serve every pressure, so rock breaks out at all or at none.
+/// Records a mistake if no rock breaks out at the pressure of a record, because cut runs serve
+/// every pressure.
 void require_low_pressure(Config& table, double most, const CalibrationCase& c) {
   for (const Record& r : c.records.rows) {
     forces::BottomHole hole = c.rock.around;
@@ -58,7 +60,8 @@ void require_low_pressure(Config& table, double most, const CalibrationCase& c) 
   }
 }
 
-/// Rock that breaks out beside the faces of bits; the pressures of the records are checked.
+/// Reads the rule by which rock breaks out beside the faces of bits, and checks the pressures of
+/// the records.
 std::optional<rock::BreakoutRule> read_breakout(Config& c, const CalibrationCase& result) {
   if (!c.has(simulation::spalling_keys::table)) return std::nullopt;
   Config table = c.table(simulation::spalling_keys::table);
@@ -94,7 +97,7 @@ CalibrationCase read_calibration(const std::string& path,
   result.path = path;
   Config top = c.table(table);
   const std::string name = top.read(calibration_keys::law);
-  c.stop_at_problems();  // without its law no coefficient means anything
+  c.stop_at_problems();  // without a law, coefficients are meaningless
   result.law = forces::law_named(name);
   const std::string file = top.read(calibration_keys::records);
   result.fit = top.read(fit_bits, std::vector<std::string>{});

@@ -5,8 +5,8 @@
 
 namespace tdbd::calibration {
 
-/// Whether one set of coefficients holds for all bottom hole pressures, or each has its own (thesis
-/// 6.4.1).
+/// Whether one set of coefficients is fitted for all bottom hole pressures, or a separate set for
+/// each (thesis 6.4.1).
 enum class Pressures { combined, separate };
 
 namespace calibration_keys {
@@ -88,7 +88,8 @@ inline constexpr QuantityKey rop{.name = "rop",
                                  .meaning = "of the rate of penetration, or a cutter's depth"};
 
 inline constexpr TableKey unknown{"unknowns.KEY", "a coefficient of the law that is fitted"};
-// start and range have the unit of their coefficient: read by name, shown by `tdbd keys`.
+// `start` and `range` have the unit of their coefficient; they are read by name and listed by `tdbd
+// keys`.
 inline constexpr QuantityKey start{
     .name = "start", .meaning = "first value, and the prior's; in the coefficient's unit"};
 inline constexpr QuantityKey prior_sd{.name = "prior_sd",

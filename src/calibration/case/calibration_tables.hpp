@@ -6,7 +6,7 @@
 
 namespace tdbd::calibration {
 
-/// The tables of a calibration, for `tdbd keys`.
+/// Returns the tables of a calibration, for `tdbd keys`.
 std::vector<KeyTable> calibration_tables();
 
 }  // namespace tdbd::calibration

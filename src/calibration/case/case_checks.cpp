@@ -42,7 +42,7 @@ void check_list(Config& top, std::string_view key, const std::vector<std::string
   }
 }
 
-/// The unknown of this name, or null.
+/// Returns the unknown of this name, or null.
 const Unknown* free_one(const CalibrationCase& c, std::string_view key) {
   const auto at = std::ranges::find(c.unknowns, key, &Unknown::key);
   return at == c.unknowns.end() ? nullptr : &*at;

@@ -7,18 +7,18 @@
 
 namespace tdbd::calibration {
 
-// What a calibration and a synthetic laboratory have in common. Mistakes are noted in the Config.
+// Tables that calibrations and synthetic laboratories share. Mistakes are recorded in the Config.
 
-/// The tools that [bits] and [cutters] give, sorted by name.
+/// Reads the tools in [bits] and [cutters], sorted by name.
 std::vector<Tool> read_tools(Config& c);
 
-/// The rock of [rock] and those of [rocks.NAME].
+/// Reads the rock of [rock] and those of [rocks.NAME].
 TestRock read_test_rock(Config& c);
 
-/// [noise].
+/// Reads [noise].
 Noise read_noise(Config c);
 
-/// The grid of the cut runs, from [rock] and [time].
+/// Reads the grid of the cut runs from [rock] and [time].
 CutGrid read_grid(Config& c);
 
 }  // namespace tdbd::calibration

@@ -13,7 +13,8 @@ namespace {
 
 using forces::LawField;
 
-/// "18 deg" must lie inside the range: on its end a coefficient could not move.
+/// Records a mistake unless the start value, such as "18 deg", is inside the range: at a bound, a
+/// coefficient could not change.
 void check_start(Config& table, const Unknown& u) {
   const bool inside = u.start > u.range.lo && u.start < u.range.hi;
   if (!inside)

@@ -8,14 +8,14 @@
 namespace tdbd::calibration {
 
 /// Reads [unknowns.KEY] and [fixed] of a law, and sets its coefficients. A coefficient in neither
-/// has its default; one without a default must be in one of them. No unknown: a law as it stands is
-/// held against the records. Mistakes are noted.
+/// table has its default; one without a default must be in one of them. Without unknowns, the law
+/// is compared with the records unchanged. Mistakes are recorded.
 std::vector<Unknown> read_unknowns(Config& c, forces::Law& law);
 
-/// Reads [unknowns.KEY] of a coefficient. Mistakes are noted.
+/// Reads [unknowns.KEY] of a coefficient. Mistakes are recorded.
 Unknown read_unknown(Config table, const forces::LawField& field);
 
-/// Notes every name in a table that is no coefficient of the law of this name.
+/// Records as a mistake every name in a table that is not a coefficient of the law of this name.
 void refuse_strangers(Config& table, const std::vector<forces::LawField>& fields,
                       std::string_view law);
 

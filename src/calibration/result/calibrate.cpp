@@ -16,7 +16,8 @@
 namespace tdbd::calibration {
 namespace {
 
-/// Nothing for all pressures together, or each pressure of the fitted records.
+/// Returns each pressure of the fitted records for separate fits; otherwise one empty value, for
+/// all pressures together.
 std::vector<std::optional<double>> pressures_of(const CalibrationCase& c) {
   if (c.pressures == Pressures::combined || c.unknowns.empty()) return {std::nullopt};
   std::set<double> pressures;
@@ -44,7 +45,8 @@ FittedSet fit_set(const CalibrationCase& c, const CutStore& cuts,
   return set;
 }
 
-/// The set for a record: its pressure's, or where that was not fitted, the nearest one.
+/// Returns the coefficients for a record: those of its pressure or, if that was not fitted, of the
+/// nearest fitted pressure.
 const FittedSet& set_for(const std::vector<FittedSet>& sets, const Record& record) {
   return *std::ranges::min_element(sets, {}, [&](const FittedSet& s) {
     return s.pressure ? std::abs(*s.pressure - record.pressure) : 0.0;
@@ -87,11 +89,11 @@ void warn(const FittedSet& set, std::vector<std::string>& warnings) {
                                    set.replicates.failed, set.replicates.replicates));
 }
 
-/// Of separate fits: each pressure of predicted records at which none was fitted.
+/// For separate fits: warns about each pressure of predicted records that was not fitted.
 void warn_of_nearest_sets(const std::vector<FittedSet>& sets, const std::vector<Record>& predicted,
                           std::vector<std::string>& warnings) {
   constexpr double MPa = 1e6;
-  std::map<double, double> used;  // pressure of the set, by that of the records
+  std::map<double, double> used;  // pressure of the coefficients, by pressure of the records
   for (const Record& r : predicted) {
     const FittedSet& set = set_for(sets, r);
     if (set.pressure && *set.pressure != r.pressure) used[r.pressure] = *set.pressure;
@@ -103,7 +105,8 @@ void warn_of_nearest_sets(const std::vector<FittedSet>& sets, const std::vector<
         pressure / MPa, fitted / MPa));
 }
 
-/// Where cut runs are kept: beside the result, so that the next calibration finds them.
+/// Returns the folder of cut runs. The default is beside the result folder, so that the next
+/// calibration finds them.
 std::filesystem::path cuts_folder(const CalibrateOptions& o) {
   if (!o.cuts.empty()) return o.cuts;
   return std::filesystem::absolute(o.folder).lexically_normal().parent_path() / "cuts";

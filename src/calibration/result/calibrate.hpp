@@ -15,39 +15,40 @@
 
 namespace tdbd::calibration {
 
-/// One set of coefficients with all that is known of it.
+/// One set of coefficients with its statistics.
 struct FittedSet {
-  std::optional<double> pressure;  ///< Pa, of separate fits; nothing: all pressures together
+  std::optional<double> pressure;  ///< Pa, of separate fits; empty: all pressures together
   Fit fit;
   Identifiability identifiability;
   Discrepancy discrepancy;
   Bootstrap replicates;
 };
 
-/// What a calibration finds.
+/// The result of a calibration.
 struct Calibration {
   std::vector<FittedSet> sets;            ///< one, or one for each pressure
   std::vector<Prediction> fitted;         ///< of the records of fit_bits
-  std::vector<Prediction> predictions;    ///< of those of predict_bits
-  std::vector<std::string> extrapolates;  ///< why predictions leave what was fitted; empty: inside
+  std::vector<Prediction> predictions;    ///< of the records of predict_bits
+  std::vector<std::string> extrapolates;  ///< why predictions extrapolate; empty: they do not
   std::vector<std::string> warnings;
 };
 
-/// Fits, judges and predicts (thesis ch. 6). Drills nothing: the cuts are there. Throws InputError
-/// where the records do not identify the unknowns, RunError where no start converges.
+/// Fits, validates and predicts (thesis ch. 6). Does not drill; `cuts` contains the cut runs.
+/// Throws InputError if the records do not identify the unknowns, RunError if the fit converges
+/// from no start.
 Calibration calibrate(const CalibrationCase& c, const CutStore& cuts);
 
-/// How a calibration is carried out.
+/// Options of a calibration.
 struct CalibrateOptions {
-  std::filesystem::path folder;  ///< of the results
-  std::filesystem::path cuts;    ///< where cut runs are kept; none: `cuts`, beside the results
+  std::filesystem::path folder;  ///< for the results
+  std::filesystem::path cuts;    ///< for cut runs; empty: the folder `cuts` beside the results
   Overwrite overwrite = Overwrite::no;
   int threads = 1;                                ///< the results do not depend on it
-  std::function<void(long, long)> progress = {};  ///< hears how many cut runs of how many are made
+  std::function<void(long, long)> progress = {};  ///< cut runs completed and in all
 };
 
-/// Makes or finds the cut runs, calibrates, and writes the result folder with its timing.json. Throws InputError before
-/// anything is written there, RunError later.
+/// Reads or computes the cut runs, calibrates, and writes the result folder with its timing.json.
+/// Throws InputError before anything is written there, RunError later.
 Calibration calibrate_into(const CalibrationCase& c, const CalibrateOptions& options);
 
 }  // namespace tdbd::calibration

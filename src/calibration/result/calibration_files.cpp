@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a calibration leaves in its folder.
+/// Whether a file is one that a calibration writes to its folder.
 bool is_result(const fs::path& file) {
   static const std::regex names(
       R"((calibration\.json|law(-[0-9.]+MPa)?\.toml|residuals\.csv|predictions\.csv|case\.toml|timing\.json|cuts-[0-9a-f]{16}\.nc)(\.partial)?)");
@@ -127,7 +127,7 @@ void add_errors(const std::vector<Prediction>& predictions, const std::string& w
   }
 }
 
-/// Objectives of separate fits add up.
+/// Adds the sums of the objectives of separate fits.
 void add_sums(const Calibration& found, const std::array<LoadName, 2>& names, Json& json) {
   for (const std::size_t k : {axial, turning}) {
     double sum = 0.0;

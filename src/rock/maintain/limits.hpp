@@ -70,7 +70,7 @@ struct MaintenanceReport {
   std::array<std::array<long, static_cast<std::size_t>(Refusal::count)>,
              static_cast<std::size_t>(Operation::count)>
       refused{};
-  long touched_triangles = 0;     ///< examined because a vertex of theirs was touched
+  long touched_triangles = 0;     ///< examined because one of their vertices was touched
   double volume_change = 0.0;     ///< m3 of hole gained, signed
   double volume_disturbed = 0.0;  ///< m3, sum of magnitudes
 

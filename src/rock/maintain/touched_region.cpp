@@ -32,8 +32,7 @@ void classify(const mesh::Surface& s, const MaintenanceLimits& limits, int t, To
   if (is_below(shape, limits.smooth_quality)) r.to_smooth.push_back(t);
 }
 
-/// Adds the number of touched triangles at v to `r.asked` and returns whether the ring of v is
-/// fine.
+/// Counts the touched triangles at v and returns whether the ring of v needs no repair.
 bool is_passed_over(Rock& rock, int v, TouchedRegion& r) {
   const mesh::VertexStar& star = rock.surface.star(v);
   if (!has_spokes(star)) {

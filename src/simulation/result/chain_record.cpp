@@ -9,7 +9,7 @@ namespace {
 
 double node_depth(const string::Chain& c, int node) { return node * c.elements.length; }
 
-/// The motion of a node: of the bit for the last.
+/// Returns the motion of a node. That of the last node is the motion of the bit.
 string::EndMotion motion_at(const ChainView& c, int node) {
   const string::ChainState& x = c.state;
   const std::size_t i = at(node);

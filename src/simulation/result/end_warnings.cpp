@@ -22,8 +22,8 @@ std::string no_rock(const Case& c, const Simulation& s) {
   return gap > 0.0 ? fmt::format("{}: it stays {:.3g} m or more from it", text, gap) : text;
 }
 
-/// Empty when the advance is one that a bit can have. No bit drills as fast as a tenth of a metre a second: slower ones are
-/// not asked, since those that stick hardly turn.
+/// Returns a warning if the mean advance is unrealistic, otherwise "". Bits slower than a tenth of
+/// a metre per second are not checked: they are realistic, and bits that stick hardly turn.
 std::string fast(const Case& c, const LoadStatistics& loads) {
   const double width = narrowest_width(c.bit), rate = loads.rop.mean;
   const double turns = std::abs(loads.rotary_speed.mean) / (2.0 * std::numbers::pi);
@@ -41,14 +41,15 @@ std::string fast(const Case& c, const LoadStatistics& loads) {
   return "";
 }
 
-/// Rock moves away from what cuts; what only rubs, and a body, may come to lie in it.
+/// Whether rock may be inside a part. Rock moves away from cutting parts, but not from parts that
+/// only rub or from bodies.
 bool may_lie_in_rock(const bit::Part& part) {
   return cutting_in_the_end(part) == bit::Cutting::rubs ||
          (part.cutting == bit::Cutting::never && part.kind == bit::PartKind::bit_body);
 }
 
-/// Empty unless the part is deeper in rock than an edge of the rock is long, and deeper than a
-/// millimetre.
+/// Returns a warning if the part is deeper in rock than the rock's edge length and than a
+/// millimetre, otherwise "".
 std::string deep_in_rock(const Case& c, const Simulation& s, std::size_t index) {
   const bit::Part& part = c.bit.parts[index];
   constexpr double least = 1e-3;  // m
@@ -66,7 +67,7 @@ std::string deep_in_rock(const Case& c, const Simulation& s, std::size_t index) 
       bears ? "" : ", and no force acts on it");
 }
 
-/// Volumes (m3) that parts of one kind removed in this run at no force at all.
+/// Returns the volumes (m3) that parts without any force removed in this run, by kind.
 std::array<double, bit::part_kinds.size()> removed_for_nothing(const Case& c, const Simulation& s) {
   std::array<double, bit::part_kinds.size()> removed{};
   for (std::size_t i = 0; i < s.statistics.energy_by_part.size(); ++i)
@@ -76,8 +77,9 @@ std::array<double, bit::part_kinds.size()> removed_for_nothing(const Case& c, co
   return removed;
 }
 
-/// Empty unless parts of the kind removed rock without a force: more than a ten-thousandth of all,
-/// since a cutter's body takes some of what the finite time step leaves of the rim's groove.
+/// Returns a warning if parts of the kind removed rock without a force, otherwise "". The threshold
+/// is a ten-thousandth of all rock, because the body of a cutter removes some of the rock that the
+/// finite time step leaves beside the groove of its rim.
 std::string free_rock(const Case& c, const Simulation& s, bit::PartKind kind, double removed) {
   constexpr double mm3_per_m3 = 1e9, percent = 100.0, least_share = 1e-4;
   if (removed <= least_share * s.state.ledger.removed.value()) return "";
@@ -88,8 +90,8 @@ std::string free_rock(const Case& c, const Simulation& s, bit::PartKind kind, do
       has_law(c.forces, kind) ? "" : fmt::format(": set forces.{}.law", bit::kind_key(kind)));
 }
 
-/// Empty unless a bit with cutters sticks and slips while sections are taken to be at the face as they
-/// are ahead of it.
+/// Returns a warning if a bit with cutters sticks and slips although sections are not extrapolated
+/// to the face, otherwise "".
 std::string lagging_sections(const Case& c, const Simulation& s) {
   if (c.bit.cutters.empty() || c.measure.section == SectionMeasure::off ||
       c.measure.section_at_face == rock::SectionAtFace::extrapolated)

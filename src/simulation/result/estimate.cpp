@@ -10,7 +10,7 @@
 namespace tdbd::simulation {
 namespace {
 
-// Bytes as files of this program have them (`RunEstimate.is_near_what_a_run_takes` compares).
+// Bytes per item in files of TDBD (checked by `RunEstimate.is_near_what_a_run_takes`).
 constexpr double frame_per_triangle = 43.0, animation_per_triangle = 20.0,
                  final_per_triangle = 25.0;
 constexpr double checkpoint_per_triangle = 55.0;
@@ -33,7 +33,7 @@ double history_bytes(const Case& c, double steps) {
   return rows * (per_number * numbers + csv_per_number * bit_level_columns);
 }
 
-/// Profiles of a string on a chain.
+/// Returns the size of the profiles of a string on a chain.
 double profile_bytes(const Case& c, double steps) {
   const auto& chained = c.drilling.system.chained;
   if (!chained || c.output.chain.profile_every == 0) return 0.0;
@@ -47,7 +47,7 @@ double disk_bytes(const Case& c, double triangles, double steps) {
   if (c.output.frames_every > 0) frames += steps / static_cast<double>(c.output.frames_every);
   const double of_bit =
       frames > 1.0 ? frame_per_triangle + animation_per_triangle : frame_per_triangle;
-  constexpr double two = 2.0;  // checkpoints are kept while the run goes on
+  constexpr double two = 2.0;  // checkpoints, which are kept during the run
   return frames * frame_per_triangle * triangles + of_bit * triangles_of(c.bit) +
          final_per_triangle * triangles + two * checkpoint_per_triangle * triangles +
          history_bytes(c, steps) + profile_bytes(c, steps);
@@ -60,8 +60,8 @@ mesh::Box box_of(const mesh::Surface& s) {
   return box;
 }
 
-/// Seconds of one step, from some tenths of a second of them. A step that fails ends the trial: the
-/// run will say why.
+/// Measures the run time of one step in seconds, over some tenths of a second. A step that fails
+/// ends the measurement; the run itself will report the failure.
 double seconds_per_step(const Case& c, Simulation& s, long& tried) {
   constexpr double enough = 0.4;  // s
   const auto began = std::chrono::steady_clock::now();

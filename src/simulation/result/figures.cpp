@@ -72,7 +72,7 @@ double pending_volume(const PieceWear& c, const bit::WearFlat& flat) {
   return c.window.volume + flat.area * c.window.height;
 }
 
-/// Sums over the pieces.
+/// Computes the sums over the pieces.
 void sum_worn(WearFigures& f) {
   double squares = 0.0, count = 0.0;
   for (const PieceWearFigures& c : f.pieces) {

@@ -17,8 +17,8 @@ bool is_of_nodes(const RecordLayout& layout, const RecordColumn& c) {
   return c.axis >= 0 && layout.axes[at(c.axis)].name == "node";
 }
 
-/// Columns that a row of many steps has a minimum and a maximum of: what it has means of, of the
-/// bit as a whole and of the string's nodes.
+/// Whether a row of many steps also contains the minimum and maximum of a column: true for means of
+/// the bit as a whole and of the string's nodes.
 bool has_extremes(const RecordLayout& layout, const RecordColumn& c) {
   return (c.axis < 0 || is_of_nodes(layout, c)) && c.over == Over::mean;
 }
@@ -30,13 +30,13 @@ std::string since_last_row(std::string long_name) {
   return long_name;
 }
 
-/// Most numbers of a row are of parts and cutters. In long runs they are kept to seven digits; cones
-/// turn far, so that their angles need all.
+/// Whether a column is stored in single precision in long runs. Most numbers of a row belong to
+/// parts and cutters. Angles of cones become large and need all digits.
 bool takes_much_room(const RecordLayout& layout, const RecordColumn& c) {
   return c.axis >= 0 && layout.axes[at(c.axis)].name != "cone" && !is_of_nodes(layout, c);
 }
 
-/// The columns of rows that stand for many steps, or for one.
+/// Returns the columns of rows that represent many steps, or one.
 RecordLayout row_layout(RecordLayout layout, Rows rows) {
   const std::vector<RecordColumn> of_step = layout.columns;
   for (RecordColumn& c : layout.columns) {
@@ -74,12 +74,12 @@ void take_up(const std::vector<double>& step, HistoryWindow& w) {
   }
   for (std::size_t i = 0; i < step.size(); ++i) {
     w.sum[i] += step[i];
-    w.least[i] = std::fmin(w.least[i], step[i]);  // what is not known counts in no extreme
+    w.least[i] = std::fmin(w.least[i], step[i]);  // NaN is ignored
     w.greatest[i] = std::fmax(w.greatest[i], step[i]);
   }
 }
 
-/// The row of a window whose last step is given.
+/// Computes the row of a window. `last`: the values of its last step.
 void row_of_window(const RecordLayout& steps, const std::vector<double>& last,
                    const HistoryWindow& w, std::vector<double>& row) {
   row = last;
@@ -98,7 +98,7 @@ void row_of_window(const RecordLayout& steps, const std::vector<double>& last,
   });
 }
 
-/// The row looks at the angles and speeds given.
+/// The returned row refers to the given angles and speeds, which must outlive it.
 HistoryRow row_of(const Case& c, const Simulation& s, const std::vector<double>& cone_angles,
                   const std::vector<double>& cone_speeds) {
   HistoryRow row;

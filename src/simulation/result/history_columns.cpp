@@ -7,17 +7,17 @@
 namespace tdbd::simulation {
 namespace {
 
-/// One number of a row: a variable of `history.nc`, a column of `history.csv`.
+/// One number per row: a variable of `history.nc` and a column of `history.csv`.
 template <class Row>
 struct ColumnOf {
   const char* name;
-  const char* units;  ///< as UDUNITS reads them; "1" for counts
+  const char* units;  ///< in the syntax of UDUNITS; "1" for counts
   const char* long_name;
   double (*value)(const Row&);
   Over over = Over::point;  ///< in rows of many steps
 };
 
-/// Every bit-level column, in the order of the files. A new one is one line here.
+/// Every column of the bit as a whole, in the order of the files. To add a column, add a line.
 constexpr std::array history_columns = {
     ColumnOf<HistoryRow>{"time", "s", "time at the end of the step",
                          [](const HistoryRow& r) { return r.time; }},
@@ -45,7 +45,7 @@ constexpr std::array history_columns = {
                          [](const HistoryRow& r) { return static_cast<double>(r.rock_triangles); }},
 };
 
-/// Of rock::Section; a cutter that is not in rock has 0 everywhere.
+/// Columns of rock::Section. All values are 0 for a cutter that is not in rock.
 constexpr std::array section_columns = {
     ColumnOf<rock::Section>{"section_area", "m2", "uncut rock in the plane of the cutter's face",
                             [](const rock::Section& s) { return s.area; }, Over::mean},
@@ -79,7 +79,7 @@ constexpr std::array section_columns = {
                             [](const rock::Section& s) { return s.edge_centroid_B.z(); }},
 };
 
-/// Sums over the cutters, for the csv too.
+/// Sums over the cutters, which are also written to the csv.
 constexpr std::array section_totals = {
     ColumnOf<rock::Section>{"section_area_total", "m2", "sections of all cutters",
                             [](const rock::Section& s) { return s.area; }, Over::mean},
@@ -87,7 +87,7 @@ constexpr std::array section_totals = {
                             [](const rock::Section& s) { return s.volume_rate; }, Over::mean},
 };
 
-/// Of the bit; weight and torque are positive while drilling.
+/// Loads of the bit. Weight and torque are positive while drilling.
 constexpr std::array load_columns = {
     ColumnOf<LoadedStep>{"weight_on_bit", "N", "force of the bit on the rock, z",
                          [](const LoadedStep& s) { return -s.loads.force_W.z(); }},
@@ -116,7 +116,7 @@ constexpr std::array load_columns = {
                          [](const LoadedStep& s) { return s.rates.rotary; }},
 };
 
-/// Of a bit that forces move.
+/// Columns of a bit that forces move.
 constexpr std::array drive_columns = {
     ColumnOf<DriveRow>{"rock_position_z", "m", "how far the rock has moved along z",
                        [](const DriveRow& r) { return r.rock_z; }},
@@ -134,7 +134,7 @@ constexpr std::array drive_columns = {
                        [](const DriveRow& r) { return r.residual; }},
 };
 
-/// Of a string on a chain.
+/// Columns of a string on a chain.
 constexpr std::array surface_columns = {
     ColumnOf<DriveRow>{"hook_load", "N", "force that holds the string at the surface",
                        [](const DriveRow& r) { return r.hook_load; }},
@@ -146,7 +146,7 @@ constexpr std::array surface_columns = {
                        [](const DriveRow& r) { return r.block_speed; }},
 };
 
-/// Of a part's load: variables over time and part.
+/// Load of a part: variables over time and part.
 constexpr std::array part_load_columns = {
     ColumnOf<PartLoad>{"force_normal", "N", "force of the part along the normal into the rock",
                        [](const PartLoad& p) { return p.normal; }},
@@ -210,7 +210,7 @@ void add_loads(RecordLayout& layout) {
     layout.columns.push_back({c.name, c.units, c.long_name, 0, InCsv::no, Over::mean});
 }
 
-/// Of a bit that wears, over time and cutter.
+/// Wear of a bit: variables over time and cutter.
 constexpr std::array wear_columns = {
     ColumnOf<WearRow>{"flat_width", "m", "width of the cutter's wear flat, across the motion",
                       nullptr},
@@ -221,7 +221,7 @@ constexpr std::array wear_columns = {
                       nullptr, Over::mean},
 };
 
-/// Over time and tooth or gage pad.
+/// Wear of teeth and gage pads: variables over time and piece.
 constexpr std::array worn_part_columns = {
     ColumnOf<WearRow>{"lost_height", "m", "height that the tooth or gage pad has lost in the run",
                       nullptr},

@@ -15,8 +15,8 @@
 namespace tdbd::simulation {
 namespace {
 
-/// Point data: depth below the start of the bit (m) and the part that cut a vertex last; cell data:
-/// shape quality.
+/// Writes point data (depth below the start of the bit in m, and the part that last cut a vertex)
+/// and cell data (shape quality).
 void write_rock(const std::filesystem::path& path, const rock::Rock& rock) {
   std::vector<int> slots;
   const mesh::TriangleMesh m = mesh::compact(rock.surface, &slots);
@@ -32,7 +32,8 @@ void write_rock(const std::filesystem::path& path, const rock::Rock& rock) {
   mesh::write_vtp(path, m, {depth, part}, {quality});
 }
 
-/// The rock with its stamp, so that the start time of a run that begins with it can be checked.
+/// Writes the rock with its stamp, from which a run that begins with this rock checks its start
+/// time.
 void write_stamped_rock(const std::filesystem::path& path, const Case& c, const Simulation& s) {
   const long steps = s.state.steps_done;
   WholeFile file(path);
@@ -50,7 +51,7 @@ bit::BodyPoses poses_of(const Case& c, const Simulation& s) {
                          time_at(c.time, s.state.steps_done));
 }
 
-/// The index is not saved: it is built from the surface.
+/// Builds the index, which is not stored, from the surface.
 void rebuild(const Case& c, rock::Rock& rock) {
   mesh::refresh_stars(rock.surface);
   rock::Rock indexed = indexed_rock(c, std::move(rock.surface));
@@ -88,7 +89,7 @@ void Frames::write_final(const Case& c, const Simulation& s) {
   write_motion(c, s);
 }
 
-/// An animation of one place says no more than the mesh.
+/// Writes an animation only for more than one pose: of a single pose the mesh is sufficient.
 void Frames::write_motion(const Case& c, const Simulation& s) const {
   std::vector<bit::BodyPoses> frames = bit_;
   const bit::BodyPoses end = poses_of(c, s);
@@ -99,7 +100,7 @@ void Frames::write_motion(const Case& c, const Simulation& s) const {
 }
 
 void Frames::write_collection(const std::string& name, FrameList frames, double end) const {
-  if (!frames.empty() && frames.back().first == end) frames.pop_back();  // one frame for one time
+  if (!frames.empty() && frames.back().first == end) frames.pop_back();  // one frame per time
   frames.emplace_back(end, "frames/" + name + "_final.vtp");
   mesh::write_pvd(folder_.path / (name + ".pvd"), frames);
 }
@@ -130,7 +131,7 @@ void DrillingRecorder::restore(const WrittenSoFar& written) {
     order_ = written.order;
 }
 
-/// A row of the history every so many steps, and one of what is left at the end.
+/// Writes a row of the history at the given interval, and one for the remaining steps at the end.
 void DrillingRecorder::record() {
   const long steps = s_.state.steps_done;
   take_step(c_, s_, history_);
@@ -142,7 +143,7 @@ void DrillingRecorder::record() {
   if (keeper_.is_due(steps)) keep_checkpoint();
 }
 
-/// A profile of the string every so many steps, the start's included.
+/// Writes a profile of the string at the given interval, including the start.
 void DrillingRecorder::record_profile() {
   if (!profiles_ || s_.state.steps_done % c_.output.chain.profile_every != 0) return;
   profiles_->append(time_at(c_.time, s_.state.steps_done), chain_view(case_now(c_, s_.work), s_));

@@ -18,7 +18,7 @@
 
 namespace tdbd::simulation {
 
-/// A file of frames and its time, s.
+/// Times (s) and files of frames.
 using FrameList = std::vector<std::pair<double, std::string>>;
 
 /// How much of its records a run has written.
@@ -27,8 +27,8 @@ struct WrittenSoFar {
   HistoryWindow window;
   FrameList rock_frames;
   std::vector<bit::BodyPoses> bit_frames;
-  EnergyOrder order;      ///< as far as it was observed
-  long profile_rows = 0;  ///< of a string on a chain
+  EnergyOrder order;      ///< as far as it is observed
+  long profile_rows = 0;  ///< for a string on a chain
 
   template <class Archive>
   void serialize(Archive& a) {
@@ -36,7 +36,7 @@ struct WrittenSoFar {
   }
 };
 
-/// A run between two steps, as it was saved.
+/// The saved state of a run between two steps.
 struct Checkpoint {
   State state;
   Statistics statistics;
@@ -45,22 +45,22 @@ struct Checkpoint {
   long steps_done() const { return state.steps_done; }
 };
 
-/// Writes a checkpoint: complete and forced to the disk, or not at all. Throws RunError.
+/// Writes a checkpoint completely and forces it to the disk, or leaves no file. Throws RunError.
 void write_checkpoint(const std::filesystem::path& path, const Case& c, const Simulation& s,
                       const WrittenSoFar& written);
 
-/// Reads it. Throws as tdbd::read_checkpoint does.
+/// Reads a checkpoint. Throws like tdbd::read_checkpoint.
 Checkpoint read_checkpoint(const std::filesystem::path& path, const Case& c);
 
-/// Writes the rock as VTP frames with their collection rock.pvd, which ParaView plays, and of the
-/// rigid bit its mesh once with its poses: bit_poses.csv, and as an animation bit.glb.
+/// Writes the rock as VTP frames and as the collection rock.pvd for ParaView. Of the rigid bit,
+/// writes the mesh once and its poses as bit_poses.csv and as an animation bit.glb.
 class Frames {
  public:
   explicit Frames(OutputFolder folder) : folder_(std::move(folder)) {}
 
   void add(const Case& c, const Simulation& s);
 
-  /// The frames so far, and those of a run that is resumed.
+  /// The frames so far, including those of a resumed run.
   const FrameList& rock_frames() const { return rock_; }
   const std::vector<bit::BodyPoses>& bit_frames() const { return bit_; }
   void set_frames(FrameList rock, std::vector<bit::BodyPoses> bit) {
@@ -68,7 +68,8 @@ class Frames {
     bit_ = std::move(bit);
   }
 
-  /// frames/rock_final.vtp and rock_final.ply, frames/bit_final.vtp, the collections, and the poses.
+  /// Writes frames/rock_final.vtp and rock_final.ply, frames/bit_final.vtp, the collections, and
+  /// the poses.
   void write_final(const Case& c, const Simulation& s);
 
  private:
@@ -83,16 +84,19 @@ class Frames {
 /// Records a run in its folder: history, profiles of a string on a chain, frames, checkpoints.
 class DrillingRecorder {
  public:
-  /// Creates `.partial` files. `order` is saved in checkpoints. The arguments must outlive it.
+  /// Creates `.partial` files. `order` is saved in checkpoints. The arguments must outlive the
+  /// recorder.
   DrillingRecorder(const Case& c, const Simulation& s, EnergyOrder& order,
                    const OutputFolder& folder, const CheckpointKeeper::Warn& warn);
 
-  /// To be called once, before all else: writes again what a run had written that is resumed.
+  /// Must be called once, before anything else. Writes again the records of the run that is
+  /// resumed.
   void restore(const WrittenSoFar& written);
   void begin() { record_profile(); }
   void record();
   void close(RunStatus status);
-  /// After a failure, as far as it can be written; a bit that is worn out leaves a checkpoint.
+  /// Closes the records after a failure, as far as they can be written. If the bit is worn out,
+  /// also writes a checkpoint.
   void keep_so_far(const std::exception& failure);
 
  private:

@@ -12,7 +12,7 @@
 namespace tdbd::simulation {
 namespace {
 
-/// The resolved force law of every part, for bit.json; empty if the run computes no forces.
+/// Returns the resolved force law of every part, for bit.json; empty if the run computes no forces.
 std::vector<bit::PartLaw> part_laws(const Case& c) {
   std::vector<bit::PartLaw> laws;
   if (c.forces.forces == Forces::off) return laws;
@@ -27,7 +27,7 @@ std::vector<bit::PartLaw> part_laws(const Case& c) {
   return laws;
 }
 
-/// A run with its result folder, for run_case and resume_case.
+/// A run and its result folder, for run_case and resume_case.
 struct DrillingTask {
   using Case = simulation::Case;
   using Options = RunOptions;

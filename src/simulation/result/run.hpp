@@ -10,13 +10,13 @@
 
 namespace tdbd::simulation {
 
-/// How a drilling case is run; `progress` is called after every step with the number of all steps.
+/// Options of a drilling run. `progress` is called after every step with the total number of steps.
 using RunOptions = OptionsOf<void(const Simulation&, long)>;
 
 /// The steps of a drilling case, for run_loop. The arguments must outlive them.
 class DrillingSteps {
  public:
-  /// `plan`: the step at which the order of the energy residual is observed; default: not at all.
+  /// `plan`: the step at which the order of the energy residual is observed; by default it is not.
   DrillingSteps(const Case& c, Simulation& s, const EnergyOrderPlan& plan = {});
 
   long done() const { return s_.state.steps_done; }
@@ -30,7 +30,7 @@ class DrillingSteps {
     progress(s_, all());
   }
 
-  EnergyOrder order;  ///< as far as it was observed
+  EnergyOrder order;  ///< as far as it is observed
 
  private:
   const Case& c_;
@@ -38,34 +38,34 @@ class DrillingSteps {
   long observe_at_;
 };
 
-/// Drills a case and writes its result folder; the summary last, so that a folder without one has
-/// no finished run. An interruption ends the run after its step and writes everything that is
-/// recorded, with status "interrupted". If a step or a write fails, the history and the surface so
-/// far are kept as far as they can be written, failure.txt says what happened, and the error is
-/// passed on. Throws InputError before anything is written, RunError later.
+/// Drills a case and writes its result folder. The summary is written last, so a folder without one
+/// has no finished run. An interruption ends the run after the current step and writes everything
+/// that was recorded, with status "interrupted". If a step or a write fails, the history and the
+/// surface so far are kept as far as they can be written, the reason is written to failure.txt, and
+/// RunError is thrown. Throws InputError before anything is written, RunError later.
 RunSummary run(const Case& c, const RunOptions& options);
 
-/// Resumes a run that was stopped or killed: the case is that of the folder (read_stopped_case).
-/// Every file of the result but timing.json is bitwise identical to that of an uninterrupted run. It
-/// begins with the newest checkpoint, or, where there is none, with the start. Throws like run, and
-/// InputError for checkpoints of another case or version.
+/// Resumes a run that was stopped or killed. The case must be that of the folder
+/// (read_stopped_case). All files of the result except timing.json are bitwise identical to those
+/// of an uninterrupted run. Begins with the newest checkpoint or, if there is none, with the start.
+/// Throws like run, and InputError for checkpoints of another case or version.
 RunSummary resume_run(const Case& c, const RunOptions& options);
 
-/// The case of a folder that a run was begun in. Throws like stopped_case.
+/// Returns the case with which the run in a folder was begun. Throws like stopped_case.
 Case read_stopped_case(const std::filesystem::path& folder);
 
 /// Resources that a run requires.
 struct RunEstimate {
-  double triangles = 0.0;     ///< of rock at the end, with the wall that the way adds
-  double memory_bytes = 0.0;  ///< of the rock; the program itself needs some 30 MB more
+  double triangles = 0.0;     ///< of the rock at the end, including the new wall along the path
+  double memory_bytes = 0.0;  ///< of the rock; the program itself needs about 30 MB more
   double disk_bytes = 0.0;    ///< of the result folder, checkpoints included
-  double seconds = 0.0;       ///< of one thread of this machine
-  long steps_tried = 0;       ///< that the seconds are taken from
+  double seconds = 0.0;       ///< on one thread of this machine
+  long steps_tried = 0;       ///< number of steps from which the seconds were measured
 };
 
-/// Tries the first steps for some tenths of a second; `s` is as it was started, and is changed.
-/// Triangles and bytes are estimated within some tens of percent, seconds within a factor of two,
-/// since the hole grows.
+/// Tries the first steps for some tenths of a second. `s`: the simulation at its start, which is
+/// modified. The estimate of triangles and bytes is accurate within some tens of percent, that of
+/// seconds within a factor of two, because the hole grows.
 RunEstimate estimate(const Case& c, Simulation& s);
 
 }  // namespace tdbd::simulation

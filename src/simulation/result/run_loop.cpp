@@ -31,7 +31,7 @@ fs::path stopped_case(const fs::path& folder, Stopped command) {
   const bool rotates = Config::read_file(file.string(), {}).has(body_keys::table);
   if (const Stopped found = rotates ? Stopped::rotate : Stopped::run; found != command)
     throw InputError(fmt::format(
-        "{}: found a run of tdbd {}, expected one of tdbd {}; to go on: tdbd {} --resume {}",
+        "{}: found a run of tdbd {}, expected one of tdbd {}; to resume it: tdbd {} --resume {}",
         folder.string(), command_name(found), command_name(command), command_name(found),
         folder.string()));
   return file;

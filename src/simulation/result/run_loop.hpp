@@ -18,42 +18,46 @@
 #include "simulation/case/case_warning.hpp"
 #include "simulation/result/summary.hpp"
 
-// The loop over the steps of a case, in memory or into a result folder. It is one for all commands;
-// what differs are classes of the commands:
+// The loop over the steps of a case, in memory or into a result folder. All commands share it. Each
+// command provides these classes:
 //
-//   Steps     done(), all(): numbers of steps; time(): s; prepare(): what is not timed; advance():
+//   Steps     done(), all(): numbers of steps; time(): s; prepare(): is not timed; advance():
 //             makes steps and returns their number; finish(): after the last; report(progress)
-//   Recorder  begin(): before the first step; record(): after each advance; restore(written): at the
-//             begin or when the run is resumed; close(status); keep_so_far(exception)
-//   Task      Steps, Recorder and how they are made, named like the members of DrillingTask
+//   Recorder  begin(): before the first step; record(): after each advance; restore(written):
+//             before any run; close(status); keep_so_far(exception): after a failure
+//   Task      owns Steps and Recorder and defines how they are made, with members named like those
+//             of DrillingTask
 
 namespace tdbd::simulation {
 
-/// How a case is run.
+/// Options of a run.
 template <class Progress>
 struct OptionsOf {
   std::filesystem::path folder;
   Overwrite overwrite = Overwrite::no;
   int threads = 1;  ///< the results do not depend on it
-  /// Set from outside: stop after this step (tdbd run), within 1024 steps (others).
+  /// Set by another thread or a signal handler: stops after the current step (tdbd run), or within
+  /// 1024 steps (others).
   const std::atomic<bool>* interrupted = nullptr;
-  /// Called before the first step: from here on there is something to save, and `interrupted` is read.
+  /// Called before the first step, when there is something to save. From then on `interrupted` is
+  /// read.
   std::function<void()> started = {};
-  /// Called now and then.
+  /// Called repeatedly during the run.
   std::function<Progress> progress = {};
-  /// Called with what a user should know; the run continues.
+  /// Called with a warning for the user; the run continues.
   std::function<void(const std::string&)> warn = {};
   /// Called before the first step with doubtful properties of the start.
   std::function<void(const CaseWarning&)> tell = {};
 };
 
-/// Of a run in memory.
+/// For a run in memory.
 struct NoRecorder {
   void begin() {}
   void record() {}
 };
 
-/// Runs to the end or to an interruption. Appends the seconds of a step, of each advance.
+/// Runs until the end or an interruption. Appends the run time per step, in seconds, of each
+/// advance to `step_seconds`.
 template <class Steps, class Options, class Recorder>
 RunStatus run_loop(Steps& steps, const Options& o, Recorder& recorder,
                    std::vector<double>& step_seconds) {
@@ -73,7 +77,7 @@ RunStatus run_loop(Steps& steps, const Options& o, Recorder& recorder,
   return RunStatus::completed;
 }
 
-/// The same in memory.
+/// Runs in memory, without a recorder.
 template <class Steps, class Options>
 RunStatus run_loop(Steps& steps, const Options& o) {
   NoRecorder none;
@@ -81,9 +85,9 @@ RunStatus run_loop(Steps& steps, const Options& o) {
   return run_loop(steps, o, none, step_seconds);
 }
 
-/// Runs a task and completes its result folder, the summary last. An interruption saves a checkpoint.
-/// If a step or a write fails, what was recorded so far is kept as far as it can be written,
-/// failure.txt says what happened, and RunError is thrown.
+/// Runs a task and completes its result folder, the summary last. An interruption saves a
+/// checkpoint. If a step or a write fails, the records so far are kept as far as they can be
+/// written, the reason is written to failure.txt, and RunError is thrown.
 template <class Task, class Options>
 RunStatus complete(Task& task, const OutputFolder& folder, const Options& o) {
   const auto started = std::chrono::steady_clock::now();
@@ -108,8 +112,8 @@ RunStatus complete(Task& task, const OutputFolder& folder, const Options& o) {
 }
 
 /// Runs a case from its start into its result folder. Throws InputError before anything is written,
-/// RunError later. Task is constructed of the case, a simulation, the folder and the options;
-/// Task::start(c) and Task::resume(c, saved) make the simulation, Task::read a saved one.
+/// RunError later. A Task is constructed from the case, a simulation, the folder and the options;
+/// Task::start(c) and Task::resume(c, saved) make the simulation, Task::read reads a saved one.
 template <class Task>
 typename Task::Outcome run_case(const typename Task::Case& c, const typename Task::Options& o) {
   const OutputFolder folder = claim(o.folder, o.overwrite, c.files, Task::kind);
@@ -122,7 +126,7 @@ typename Task::Outcome run_case(const typename Task::Case& c, const typename Tas
   return task.outcome(complete(task, folder, o));
 }
 
-/// Resumes a case from the newest checkpoint of its folder, or, where it has none, from the start.
+/// Resumes a case from the newest checkpoint of its folder or, if there is none, from the start.
 /// Throws like run_case, and InputError for checkpoints of another case or version.
 template <class Task>
 typename Task::Outcome resume_case(const typename Task::Case& c, const typename Task::Options& o) {
@@ -139,15 +143,15 @@ typename Task::Outcome resume_case(const typename Task::Case& c, const typename 
   return task.outcome(complete(task, folder, o));
 }
 
-/// The command that a folder's run was begun with.
+/// The command with which the run in a folder was begun.
 enum class Stopped { run, rotate };
 
-/// The case of a folder that a run was begun in, with its path. Throws InputError if there is none,
-/// or one of another command, which the message names.
+/// Returns the path of the case with which the run in a folder was begun. Throws InputError if
+/// there is none, or if it belongs to another command, which the message names.
 std::filesystem::path stopped_case(const std::filesystem::path& folder, Stopped command);
 
-/// Whether the folder has the result of a run that reached its end. A kill right after that may have
-/// left checkpoints: they are removed.
+/// Returns whether the folder contains the result of a completed run. If so, removes checkpoints,
+/// which remain if the process was killed just before it removed them.
 bool tidy_if_finished(const std::filesystem::path& folder);
 
 }  // namespace tdbd::simulation

@@ -39,7 +39,7 @@ Json rock_json(const RunSummary& s) {
           {"maintenance", s.maintenance}};
 }
 
-/// A figure over steps, null without any.
+/// Returns a mean over steps, or null if there were no steps.
 template <class Figures>
 Json known(const Figures& of, double x) {
   return of.steps > 0 ? Json(x) : Json();
@@ -58,7 +58,8 @@ Json cones_json(const RunSummary& s) {
   return cones;
 }
 
-/// Half-widths under the names of the figures, null with a reason where a study does not tell them.
+/// Half-widths by the names of the results. They are null, with a reason, if a study does not
+/// determine them.
 Json numerical_json(const RunSummary& s) {
   Json studies = Json::array();
   for (const NumericalUncertainty& u : s.numerical) {
@@ -103,7 +104,8 @@ std::map<std::string, long> maintenance_counts(const rock::MaintenanceReport& r)
   return {counts.begin(), counts.end()};
 }
 
-/// What studies divide, by dotted key, SI. The step is the one that is used.
+/// Returns the quantities that studies vary, by dotted key, SI. The time step is the one that is
+/// used.
 std::map<std::string, double> sizes_of(const Case& c) {
   std::map<std::string, double> sizes = c.quantities;
   sizes["time.step"] = c.time.step;

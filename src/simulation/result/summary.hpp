@@ -23,22 +23,22 @@ namespace tdbd::simulation {
 /// Whether a run reached its end.
 enum class RunStatus { completed, interrupted };
 
-/// A part and what it removed, in the order of the bit's parts.
+/// The volumes removed by a part, in the order of the bit's parts.
 struct PartVolumes {
   std::string name;
   double removed = 0.0;               ///< m3, since the start
-  std::vector<double> by_revolution;  ///< m3, one for each revolution begun
+  std::vector<double> by_revolution;  ///< m3, one value per revolution begun
 };
 
-/// The figures of a run: what `summary.json` holds. SI. Depends on the case alone: no wall-clock
-/// time and no number of threads.
+/// The results of a run, which are written to `summary.json`. SI. They depend on the case only, not
+/// on wall-clock times or the number of threads.
 struct RunSummary {
   std::string command;  ///< "run", "rotate"
   std::string title;    ///< of the case, for figures
   RunStatus status = RunStatus::completed;
   std::string case_hash;
   std::uint64_t seed = 0;
-  std::vector<std::string> warnings;      ///< without_place, those found at the end last
+  std::vector<std::string> warnings;      ///< without places; those found at the end are last
   std::vector<CaseWarning> found_at_end;  ///< the same with their places, for a terminal
   long steps = 0;
   double revolutions = 0.0;
@@ -47,29 +47,29 @@ struct RunSummary {
   std::vector<double> removed_volume_by_revolution;  ///< m3
   std::vector<PartVolumes> parts;
   double volume_ledger_defect = 0.0;  ///< relative
-  double maintenance_volume = 0.0;    ///< m3 that maintenance of the mesh added (+) or took (-)
-  double trimmed_volume = 0.0;  ///< m3 of the hole about W's origin that went with trimmed wall
+  double maintenance_volume = 0.0;    ///< m3 that maintenance of the mesh added (+) or removed (-)
+  double trimmed_volume = 0.0;  ///< m3 of the hole about W's origin, removed with trimmed wall
   long rock_triangles_start = 0;
   long rock_triangles_end = 0;
   double rock_quality_min = 0.0;
   double rock_quality_1_percent = 0.0;
   double gage_radius = 0.0;                 ///< m
-  std::map<std::string, long> maintenance;  ///< operation: how often
+  std::map<std::string, long> maintenance;  ///< counts by operation
   std::vector<ConeFigures> cones;
   std::vector<FaceFigures> faces;
-  std::optional<LoadFigures> loads;             ///< none: the run had no forces
-  std::vector<NumericalUncertainty> numerical;  ///< by each study of the case
-  Diagnosis diagnosis;                          ///< with forces
-  std::optional<DriveFigures> drive;            ///< of a bit that forces move
-  std::optional<StringFigures> string;          ///< of a string on a chain
+  std::optional<LoadFigures> loads;             ///< empty: the run had no forces
+  std::vector<NumericalUncertainty> numerical;  ///< one for each study of the case
+  Diagnosis diagnosis;                          ///< if the run has forces
+  std::optional<DriveFigures> drive;            ///< if forces move the bit
+  std::optional<StringFigures> string;          ///< if the string is a chain
   std::vector<std::pair<std::string, double>>
       broken_out;  ///< m3, by cutter, of what its face removed; empty: no rock breaks out
-  std::optional<WearFigures> wear;  ///< of a bit that wears
+  std::optional<WearFigures> wear;  ///< if the bit wears
   long sections_refused_deep = 0;   ///< FaceStatistics
   long sections_refused_over_the_top = 0;
 };
 
-/// What depends on the machine: what `timing.json` holds.
+/// The results that depend on the machine, which are written to `timing.json`.
 struct Timing {
   double seconds_per_step_median = 0.0;
   double wall_seconds = 0.0;
@@ -78,38 +78,41 @@ struct Timing {
   double seconds_per_step_mean = 0.0;
 };
 
-/// Grows when a key of a summary changes its meaning or goes away.
+/// Increased when the meaning of a summary's key changes or a key is removed.
 inline constexpr int summary_schema = 1;
 
-/// The figures of a simulation so far.
+/// Computes the results of a simulation so far.
 RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status);
 
-/// Doubts that only a run shows, at `motion`: a bit body, or a part that rubs, that is deeper in rock
-/// than the rock's edge length and than 1 mm; a bit that removed no rock; and, of a bit that forces
-/// move, an unrealistic mean advance: more in a revolution than its narrowest cutting part is wide, so
-/// that its body would have to cut, or more in one step; and stick-slip with sections as they are ahead
-/// of the faces. They follow from the case and from what a checkpoint contains.
+/// Returns warnings that only a run can detect, at `motion`: a bit body or a rubbing part that is
+/// deeper in rock than the rock's edge length and than 1 mm; a bit that removed no rock; an
+/// unrealistic mean advance of a bit that forces move (in one revolution or in one step more than
+/// the width of its narrowest cutting part, so that its body would have to cut); stick-slip with
+/// sections that are not extrapolated to the faces. They depend on the case and the contents of a
+/// checkpoint only.
 std::vector<CaseWarning> end_warnings(const Case& c, const Simulation& s);
 
-/// What every summary starts with: schema, command, title, status, provenance.
+/// Returns the beginning of every summary: schema, command, title, status, provenance.
 nlohmann::ordered_json summary_head(const std::string& command, const std::string& title,
                                     RunStatus status, const std::string& case_hash,
                                     std::uint64_t seed);
 
-/// As JSON with units in the key names, every number in digits that read back to the bit.
+/// Returns JSON with units in the names of keys. Numbers have as many digits as are required to
+/// read them back exactly.
 std::string to_json(const RunSummary& summary);
 std::string to_json(const Timing& timing);
 
-/// Timing from the seconds of single steps, in any order, and of the whole.
+/// Computes timing from the run times of single steps, in any order, and of the whole run.
 Timing timing_of(std::vector<double> step_seconds, double wall_seconds, int threads);
 
-/// Largest memory that this process has held so far, bytes.
+/// Returns the largest memory of this process so far, in bytes.
 long peak_memory_bytes();
 
-/// Wall time, s.
+/// Returns the wall time since `start`, s.
 double seconds_since(std::chrono::steady_clock::time_point start);
 
-/// What `failure.txt` says of a run that ended after so many steps, at the time t (s).
+/// Returns the text of `failure.txt` for a run that failed after `steps_done` steps, at the time t
+/// (s).
 std::string failure_text(long steps_done, long steps, double t, const std::string& what);
 
 }  // namespace tdbd::simulation

@@ -19,10 +19,11 @@ namespace {
 
 using dynamics::InertiaCheck;
 
-/// rad; around this angle doubles are still about a thousandth of a turn apart.
+/// rad. Around this angle, adjacent doubles are still only about a thousandth of a turn apart.
 constexpr double most_turned = 1e13;
 
-/// Inertia of a solid of one density about its centre of mass, along the axes of its file.
+/// Computes the inertia of a solid of uniform density about its centre of mass, along the axes of
+/// its file.
 Mat3 read_mesh_inertia(Config& c) {
   const std::string file = c.read(body_keys::mesh);
   const double density = c.read(body_keys::density);
@@ -43,7 +44,7 @@ Mat3 read_mesh_inertia(Config& c) {
   return Mat3::Identity();
 }
 
-/// An inertia tensor, or a mesh with a density.
+/// Reads an inertia tensor, or a mesh with a density.
 Mat3 read_inertia(Config& c) {
   if (!c.has(body_keys::mesh)) return c.read(body_keys::inertia);
   if (c.has(body_keys::inertia)) {
@@ -53,13 +54,13 @@ Mat3 read_inertia(Config& c) {
   return read_mesh_inertia(c);
 }
 
-/// How far a matrix is from a rotation.
+/// Returns how far a matrix deviates from a rotation.
 double rotation_defect(const Mat3& R) {
   const double defect = (R.transpose() * R - Mat3::Identity()).cwiseAbs().maxCoeff();
   return R.determinant() > 0.0 ? defect : std::max(defect, 2.0);
 }
 
-/// Attitude, bit to space: a rotation vector or a matrix.
+/// Reads the attitude, bit to space: a rotation vector or a matrix.
 Mat3 read_attitude(Config& c) {
   if (!c.has(body_keys::attitude)) {
     const Vec3 r = c.read(body_keys::rotation_vector);
@@ -81,7 +82,7 @@ Mat3 read_attitude(Config& c) {
   return R;
 }
 
-/// Cones, and how they start.
+/// Cones and their initial state.
 struct Cones {
   std::vector<dynamics::Cone> cones;
   std::vector<double> spins, angles;
@@ -101,7 +102,7 @@ Cones read_cones(Config& c) {
   return all;
 }
 
-/// Notes inertia_problem's reason at the key that is wrong: that of the body alone, of one cone
+/// Records the inertia problem `why` at the key that causes it: that of the body alone, of one cone
 /// alone, or of all cones together.
 void report_inertia_problem(Config& c, const std::string& why, const Mat3& inertia,
                             const std::vector<dynamics::Cone>& cones, InertiaCheck check) {
@@ -119,7 +120,7 @@ void report_inertia_problem(Config& c, const std::string& why, const Mat3& inert
   c.problem("cones", why, expected);
 }
 
-/// Notes that the energy at the start is not finite, at the key that makes it so.
+/// Records, at the key that causes it, that the energy at the start is not finite.
 void report_infinite_energy(Config& c, const dynamics::Gyrostat& body, const Vec3& w_B,
                             const std::vector<double>& spins) {
   constexpr const char* found = "a kinetic energy that is not finite";

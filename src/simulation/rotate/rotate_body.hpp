@@ -8,14 +8,14 @@
 
 namespace tdbd::simulation {
 
-/// The body of a rotate case and how it starts.
+/// The body of a rotate case and its initial state.
 struct BodyStart {
   dynamics::Gyrostat body;
   dynamics::RotationState state;
 };
 
-/// Reads [body] and [[cones]] of a case and makes the gyrostat. Mistakes are noted in `c`; then
-/// what is returned is harmless.
+/// Reads [body] and [[cones]] of a case and makes the gyrostat. Mistakes are recorded in `c`; the
+/// result is then valid but meaningless.
 BodyStart read_body_start(Config& c);
 
 }  // namespace tdbd::simulation

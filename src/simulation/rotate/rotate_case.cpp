@@ -18,7 +18,7 @@ namespace {
 using dynamics::Drift;
 using dynamics::VelocityTorque;
 
-/// A duration counts as whole steps to this; scale: one step.
+/// Relative tolerance, in steps, within which a duration is a whole number of steps.
 constexpr double whole_steps = 1e-6;
 
 dynamics::Integrator read_integrator(Config c) {
@@ -28,7 +28,7 @@ dynamics::Integrator read_integrator(Config c) {
   i.drifts_per_step = static_cast<int>(c.read(drifts_per_step));
   i.order = static_cast<int>(c.read(order));
   if (i.order % 2 != 0) c.problem(order, fmt::format("{}", i.order), "2, 4, 6 or 8");
-  // Only the symmetric treatment composes to a higher order.
+  // Only the symmetric treatment allows compositions of higher order.
   const auto usual = i.order == 2 ? VelocityTorque::predicted : VelocityTorque::symmetric;
   i.velocity_torque = c.read(velocity_torque, std::optional(usual));
   return i;

@@ -12,43 +12,42 @@
 
 namespace tdbd::simulation {
 
-/// Steps of equal length that end exactly at the duration.
+/// Steps of equal length; the last one ends exactly at the duration.
 struct RotateTime {
-  double step = 0.0;      ///< s, the one that is used
+  double step = 0.0;      ///< s, the step that is used
   double duration = 0.0;  ///< s
   long steps = 0;
 };
 
-/// Reads a table [time]: steps of the given length, or of the next shorter one that fits the
-/// duration. Notes mistakes.
+/// Reads a table [time]. If the given step does not divide the duration, the next shorter one that
+/// does is used. Records mistakes.
 RotateTime read_rotate_time(Config c);
 
-/// A checked case of rotational dynamics in SI: all that `tdbd rotate` needs.
-/// Thesis: 5.1 to 5.5.
+/// A checked case of rotational dynamics in SI: the input of `tdbd rotate`. Thesis: 5.1 to 5.5.
 struct RotateCase {
   std::string path;
   std::string title;
-  std::vector<std::string> files;  ///< all that were read: case, mesh, samples
+  std::vector<std::string> files;  ///< all files that were read: case, mesh, samples
   dynamics::Gyrostat body;
   dynamics::RotationState start;
   dynamics::Loads loads;
   dynamics::Integrator integrator;
   RotateTime time;
   long history_every = 1;      ///< steps between rows
-  long checkpoint_every = -1;  ///< steps; negative: as often as costs less than 1 % of the time
-  std::string resolved;        ///< TOML: all defaults, SI; itself a case that gives the same result
-  std::string hash;            ///< of the resolved values and the content of all files
+  long checkpoint_every = -1;  ///< steps; negative: as often as takes less than 1 % of the run time
+  std::string resolved;        ///< TOML with all defaults, SI; running it gives the same result
+  std::string hash;            ///< of the resolved values and the contents of all files
   std::map<std::string, double> quantities;  ///< by dotted key, in SI
 };
 
-/// "split", "three-axis", "lie-midpoint", "lie-mean".
+/// Returns "split", "three-axis", "lie-midpoint" or "lie-mean".
 std::string drift_name(dynamics::Drift drift);
 
-/// Whether a case file is one of rotational dynamics: it has a table [body]. Throws InputError when
-/// the file cannot be read.
+/// Returns whether a case file describes rotational dynamics, that is, has a table [body]. Throws
+/// InputError if the file cannot be read.
 bool is_rotate_case(const std::string& path);
 
-/// Reads and checks everything, runs nothing. Throws InputError that lists every mistake.
+/// Reads and checks everything without running. Throws InputError that lists every mistake.
 RotateCase read_rotate_case(const std::string& path, const std::vector<std::string>& overrides);
 
 }  // namespace tdbd::simulation

@@ -11,7 +11,7 @@ namespace {
 
 using dynamics::TorqueFrame;
 
-/// The direction of the arm, made unit.
+/// Reads the direction of the arm and normalizes it.
 Vec3 read_arm(Config& c) {
   const VectorKey& key = load_keys::gravity_arm;
   const Vec3 v = c.read(key);
@@ -20,7 +20,7 @@ Vec3 read_arm(Config& c) {
   return Vec3::UnitZ();
 }
 
-/// Three numbers, none negative.
+/// Reads three numbers, which must not be negative.
 Vec3 read_coefficients(Config& c, const VectorKey& key) {
   const Vec3 v = c.read(key);
   if ((v.array() < 0.0).any())

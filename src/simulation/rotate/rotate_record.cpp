@@ -157,7 +157,8 @@ void RotateRecorder::keep_checkpoint() {
       [&](const std::filesystem::path& file) { write_rotate_checkpoint(file, c_, s_, written); });
 }
 
-/// The row that an interruption adds is not one of the resumed run: no checkpoint counts it.
+/// Appends the row of the interruption after the checkpoint, so that the resumed run does not
+/// contain it.
 void RotateRecorder::close(RunStatus status) {
   if (status == RunStatus::interrupted) {
     keep_checkpoint();

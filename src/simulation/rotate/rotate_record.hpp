@@ -11,28 +11,29 @@
 #include "simulation/result/summary.hpp"
 #include "simulation/rotate/rotate_simulation.hpp"
 
-// What a rotation leaves in its folder: history, checkpoints, summary.
+// The files of a rotation: history, checkpoints, summary.
 
 namespace tdbd::simulation {
 
 /// Records states of a rotate case: `history.nc` with dimensions time, xyz, quaternion and cone,
-/// and `history.csv` with the same columns flat. Thesis: figs. 5.4, 5.5 draw from such records.
+/// and `history.csv` with one column per component. Thesis: figs. 5.4 and 5.5 show such records.
 class RotateHistory {
  public:
-  /// Creates `path.partial`. Throws RunError when it cannot.
+  /// Creates `path.partial`. Throws RunError if it cannot be created.
   RotateHistory(const std::filesystem::path& path, const RotateCase& c);
 
-  /// Appends the state, once for each step, and says whether it did. Throws RunError.
+  /// Appends the state unless this step was appended before, and returns whether it did. Throws
+  /// RunError.
   bool append(const RotateCase& c, const RotateSimulation& s);
 
-  /// The numbers of the last row, and of every row, as many.
+  /// Returns the numbers of the last row. All rows have the same number of values.
   const std::vector<double>& last_row() const { return row_; }
   std::size_t width() const { return width_; }
 
-  /// Appends what was a last_row() of this history.
+  /// Appends a row that was a last_row() of this history.
   void append_again(std::span<const double> row) { record_.append(row); }
 
-  /// The step of the last row; -1: there is none.
+  /// Returns the step of the last row; -1 if there is none.
   long last_step() const { return last_step_; }
   void set_last_step(long step) { last_step_ = step; }
 
@@ -42,7 +43,7 @@ class RotateHistory {
  private:
   std::size_t width_;
   Record record_;
-  std::vector<double> row_;  ///< kept from row to row: no allocation
+  std::vector<double> row_;  ///< reused from row to row, to avoid allocations
   long last_step_ = -1;
 };
 
@@ -57,7 +58,7 @@ struct RotateWritten {
   }
 };
 
-/// A rotation between two steps, as it was saved.
+/// The saved state of a rotation between two steps.
 struct RotateCheckpoint {
   RotateSimulation simulation;
   RotateWritten written;
@@ -65,14 +66,14 @@ struct RotateCheckpoint {
   long steps_done() const { return simulation.steps_done; }
 };
 
-/// Writes a checkpoint: complete and forced to the disk, or not at all. Throws RunError.
+/// Writes a checkpoint completely and forces it to the disk, or leaves no file. Throws RunError.
 void write_rotate_checkpoint(const std::filesystem::path& path, const RotateCase& c,
                              const RotateSimulation& s, const RotateWritten& written);
 
-/// Reads it. Throws as read_checkpoint does.
+/// Reads a checkpoint. Throws like read_checkpoint.
 RotateCheckpoint read_rotate_checkpoint(const std::filesystem::path& path, const RotateCase& c);
 
-/// Records a rotation in its folder, for run_loop. The arguments must outlive it.
+/// Records a rotation in its folder, for run_loop. The arguments must outlive the recorder.
 class RotateRecorder {
  public:
   RotateRecorder(const RotateCase& c, const RotateSimulation& s, const OutputFolder& folder,
@@ -94,11 +95,11 @@ class RotateRecorder {
   CheckpointKeeper keeper_;
 };
 
-/// The summary of a rotate case so far, as JSON. Units stand in its keys or here: attitude (rows of
-/// R_WB), momenta and cone momenta in N m s, angular velocity (bit frame) and cone spins in rad/s,
-/// cone angles in rad, energies in J; every number has the digits that read back to the same bits.
-/// Drifts are the largest over all steps; energy drifts are divided by `energy_scale`. The text
-/// depends on the case alone.
+/// Returns the summary of a rotate case so far as JSON. Units that are not in its keys: attitude
+/// (rows of R_WB), momenta and cone momenta in N m s, angular velocity (bit frame) and cone spins
+/// in rad/s, cone angles in rad, energies in J. Numbers have as many digits as are required to read
+/// them back exactly. Drifts are the largest over all steps; energy drifts are divided by
+/// `energy_scale`. The text depends on the case only.
 std::string summary_json(const RotateCase& c, const RotateSimulation& s, RunStatus status);
 
 }  // namespace tdbd::simulation

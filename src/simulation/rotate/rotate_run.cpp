@@ -6,13 +6,13 @@
 namespace tdbd::simulation {
 namespace {
 
-/// Steps between checks of the clock, of an interruption and of the progress.
+/// Steps between checks of the clock and of interruptions, and between progress reports.
 constexpr long block_steps = 1024;
 
-/// Steps until something is due that comes every so many.
+/// Returns the number of steps until the next multiple of `every`.
 long steps_to_next(long every, long done) { return every - done % every; }
 
-/// A rotation with its result folder, for run_case and resume_case.
+/// A rotation and its result folder, for run_case and resume_case.
 struct RotateTask {
   using Case = RotateCase;
   using Options = RotateOptions;

@@ -8,10 +8,10 @@
 
 namespace tdbd::simulation {
 
-/// How a case is rotated; `progress` is called with the steps done and all steps.
+/// Options of a rotation. `progress` is called with the numbers of completed and of all steps.
 using RotateOptions = OptionsOf<void(long, long)>;
 
-/// How a run ended.
+/// The result of a rotation.
 struct RotateOutcome {
   RunStatus status = RunStatus::completed;
   RotateSimulation end;
@@ -26,7 +26,7 @@ class RotateSteps {
   long all() const { return c_.time.steps; }
   double time() const { return s_.rotating.state.time; }
   void prepare() {}
-  /// At most 1024 steps, up to the next row of the history or checkpoint that the case requests.
+  /// Makes at most 1024 steps, up to the next row of the history or checkpoint.
   long advance();
   void finish() {}
   template <class Progress>
@@ -39,20 +39,20 @@ class RotateSteps {
   RotateSimulation& s_;
 };
 
-/// Runs a case and writes its result folder, the summary last: a folder without one has no finished
-/// run. An interrupted run writes everything that was recorded and a checkpoint, with status
-/// "interrupted". If a step or a write fails, the history up to the last good state is kept as far as
-/// it can be written, failure.txt says what happened, and the error is passed on. Throws InputError
-/// before anything is written, RunError later.
+/// Runs a case and writes its result folder. The summary is written last, so a folder without one
+/// has no finished run. An interrupted run writes everything that was recorded and a checkpoint,
+/// with status "interrupted". If a step or a write fails, the history up to the last good state is
+/// kept as far as it can be written, the reason is written to failure.txt, and RunError is thrown.
+/// Throws InputError before anything is written, RunError later.
 RotateOutcome rotate(const RotateCase& c, const RotateOptions& options);
 
-/// Resumes a rotation that was stopped or killed: the case is that of the folder
-/// (read_stopped_rotate_case). Every file of the result but timing.json is bitwise identical to that
-/// of an uninterrupted run. Throws like rotate, and InputError for checkpoints of another case or
-/// version.
+/// Resumes a rotation that was stopped or killed. The case must be that of the folder
+/// (read_stopped_rotate_case). All files of the result except timing.json are bitwise identical to
+/// those of an uninterrupted run. Throws like rotate, and InputError for checkpoints of another
+/// case or version.
 RotateOutcome resume_rotate(const RotateCase& c, const RotateOptions& options);
 
-/// The case of a folder that a rotation was begun in. Throws like stopped_case.
+/// Returns the case with which the rotation in a folder was begun. Throws like stopped_case.
 RotateCase read_stopped_rotate_case(const std::filesystem::path& folder);
 
 }  // namespace tdbd::simulation

@@ -62,7 +62,7 @@ void advance(const RotateCase& c, RotateSimulation& s, long steps) {
   for (long i = 0; i < steps; ++i) {
     dynamics::step(c.body, c.loads, c.integrator, c.time.step, s.rotating);
     ++s.steps_done;
-    state.time = c.time.step * static_cast<double>(s.steps_done);  // no sum of rounded steps
+    state.time = c.time.step * static_cast<double>(s.steps_done);  // a sum would round each step
     watch(c, state, s.invariants);
   }
   if (!is_finite(state))

@@ -7,13 +7,13 @@
 
 namespace tdbd::simulation {
 
-/// What should not change: its value at the start, and the largest change over all steps. Momenta in
-/// N m s, energies in J.
+/// Conserved quantities: their values at the start and the largest changes over all steps. Momenta
+/// in N m s, energies in J.
 struct Invariants {
   Vec3 momentum_W = Vec3::Zero();    ///< at the start
   std::vector<double> cone_momenta;  ///< at the start
   double energy = 0.0;               ///< at the start, kinetic and potential
-  double energy_scale = 0.0;         ///< |T0| + |V0| + |gravity_moment|; 1 when that is 0
+  double energy_scale = 0.0;         ///< |T0| + |V0| + |gravity_moment|; 1 if that is 0
   double energy_drift = 0.0;         ///< |E - E0|
   double momentum_drift_squared = 0.0;
   double vertical_drift = 0.0;       ///< |pi_z - pi_z0|
@@ -27,7 +27,7 @@ struct Invariants {
   }
 };
 
-/// The state of a rotate case as it runs.
+/// The state of a rotate case during a run.
 struct RotateSimulation {
   dynamics::Rotating rotating;
   Invariants invariants;
@@ -39,18 +39,18 @@ struct RotateSimulation {
   }
 };
 
-/// Kinetic and potential energy, J.
+/// Returns the kinetic and potential energy, J.
 double total_energy(const RotateCase& c, const dynamics::RotationState& s);
 
-/// Turn about the space's z axis, swing-twist, unwrapped, rad.
+/// Returns the angle about the space's z axis by swing-twist decomposition, unwrapped, rad.
 double twist(const dynamics::RotationState& s);
 
-/// The case at t = 0.
+/// Returns the simulation of a case at t = 0.
 RotateSimulation start(const RotateCase& c);
 
-/// Makes `steps` more steps and checks every invariant at each. Throws RunError when a drift does not
-/// converge or the state is no longer finite; where there is a state before the failing step, it is
-/// kept.
+/// Makes `steps` more steps and updates the drifts of the invariants at each. Throws RunError if
+/// an implicit drift does not converge or the state is no longer finite. The state before a
+/// failing step is kept if possible.
 void advance(const RotateCase& c, RotateSimulation& s, long steps);
 
 }  // namespace tdbd::simulation

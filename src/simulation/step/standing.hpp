@@ -48,8 +48,8 @@ struct LoadedMotion {
 /// addition of TDBD [+]. At rest the slope of a law over velocity is so steep that an explicit
 /// impulse would overshoot in every step, and the weight on bit would oscillate with an amplitude
 /// of its own size. If the steepness at the velocity of the last drift exceeds 1, `loads` and
-/// `velocity` become those at the velocity of the next drift. Otherwise the result says that the
-/// step is explicit, and both are unchanged.
+/// `velocity` become those at the velocity of the next drift. Otherwise the result reports that
+/// the step is explicit, and both are unchanged.
 Standing stand(const LoadedMotion& motion, dynamics::DrillingWork& drive_work, StandingWork& work,
                BitLoads& loads, BitVelocity& velocity);
 

@@ -9,22 +9,22 @@
 
 namespace tdbd::sweep {
 
-/// What is done at each point.
+/// The command that is run at each point.
 enum class Command { run, rotate, calibrate, bit, planar };
 
-/// How the intervals of factors are filled.
+/// How the intervals of factors are sampled.
 enum class Sampling { none, latin_hypercube, sobol };
 
 enum class Scale { linear, log };
 
 /// One value of a factor.
 struct Level {
-  ConfigWord word;                    ///< as it overrides the case's key
-  std::optional<double> number = {};  ///< nothing: a text, as in a choice or a path
-  std::string unit = {};              ///< as written; empty: none
+  ConfigWord word;                    ///< the override of the case's key
+  std::optional<double> number = {};  ///< empty: a text, such as a choice or a path
+  std::string unit = {};              ///< as written; empty: no unit
 };
 
-/// Where samples of a factor lie.
+/// The range of a factor's samples.
 struct Interval {
   double from = 0.0, to = 0.0;  ///< in `unit`
   std::string unit;
@@ -38,7 +38,7 @@ struct Factor {
   std::optional<Interval> interval;  ///< of a sampled factor
 };
 
-/// What a figure should become.
+/// The direction in which a summary value improves.
 enum class Sense { smaller, larger };
 
 struct Goal {
@@ -46,15 +46,15 @@ struct Goal {
   Sense sense = Sense::smaller;
 };
 
-/// Points are first judged by the planar model, and only the best are run.
+/// A filter: the planar model evaluates all points, and only the best ones are run.
 struct Filter {
-  Goal goal;      ///< a figure of the command planar
-  long keep = 1;  ///< points
+  Goal goal;      ///< a value computed by the command planar
+  long keep = 1;  ///< number of points
 };
 
-/// A sweep: every combination of the levels, at each of them every sample.
+/// A sweep: every combination of levels with every sample.
 struct Design {
-  std::string file, title;  ///< as given; what the design is about
+  std::string file, title;  ///< the path as given; the title of the design
   Command command = Command::run;
   std::string case_file;           ///< absolute
   std::vector<std::string> fixed;  ///< overrides of every point, "key=value"
@@ -64,22 +64,22 @@ struct Design {
   std::uint64_t seed = 2007;
   std::vector<std::string>
       figures;  ///< numbers of the summary, dotted: "wob_mean_n", "sections.0.mean_area_m2"
-  std::vector<Goal> goals;    ///< figures of the non-dominated front
-  double penetration = 0.0;   ///< m per revolution; of the command bit
-  double normal_ratio = 0.8;  ///< normal over cutting force; of the planar model
+  std::vector<Goal> goals;    ///< objectives of the non-dominated front
+  double penetration = 0.0;   ///< m per revolution; for the command bit
+  double normal_ratio = 0.8;  ///< normal over cutting force; for the planar model
   std::optional<Filter> filter;
 };
 
-/// More points than this are refused.
+/// Largest number of points that is allowed.
 inline constexpr long most_points = 10'000'000;
 
 /// Reads a design. Throws InputError that lists every mistake: file, line, key, found, expected.
 Design read_design(const std::string& file);
 
-/// The design of a filter: its figure by the planar model, at the same points.
+/// Returns the design of a filter: its objective by the planar model, at the same points.
 Design planar_design(const Design& d);
 
-/// "run", "rotate", "calibrate", "bit", "planar".
+/// Returns "run", "rotate", "calibrate", "bit" or "planar".
 const char* name_of(Command command);
 
 }  // namespace tdbd::sweep

@@ -6,7 +6,7 @@
 
 namespace tdbd::sweep {
 
-/// The tables of a design, for `tdbd keys --design`.
+/// Returns the tables of a design, for `tdbd keys --design`.
 std::vector<KeyTable> design_tables();
 
 }  // namespace tdbd::sweep

@@ -50,7 +50,7 @@ Interval read_interval(Config& factor) {
 }
 
 double place_in(const Interval& i, double u) {
-  if (u >= 1.0) return i.to;  // exact, as the other end is
+  if (u >= 1.0) return i.to;  // exact, like the other end
   return i.scale == Scale::log ? i.from * std::pow(i.to / i.from, u) : i.from + (i.to - i.from) * u;
 }
 

@@ -12,7 +12,7 @@
 namespace tdbd::sweep {
 namespace {
 
-/// One column: a permutation of the parts, a random place in each.
+/// Fills one column: a permutation of the parts, with a random position in each part.
 void fill_column(std::vector<std::vector<double>>& rows, std::size_t column, Random& random) {
   const std::size_t n = rows.size();
   std::vector<std::size_t> part(n);

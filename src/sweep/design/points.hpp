@@ -7,29 +7,30 @@
 
 namespace tdbd::sweep {
 
-/// GSL has direction numbers for so many.
+/// Largest number of dimensions for which GSL has direction numbers.
 inline constexpr long most_sobol_dimensions = 40;
 
-/// Whether a factor has an interval in place of levels.
+/// Whether a factor has an interval instead of levels.
 bool is_sampled(const Factor& f);
 
-/// The samples of a design: rows of shares in [0, 1), one for each sampled factor. Of a Latin
-/// hypercube (McKay, Beckman and Conover 1979) each column has one value in each of `samples` equal
-/// parts; Sobol's sequence (1967) begins with its first point, which is the middle.
+/// Returns the samples of a design: rows of fractions in [0, 1), with one column per sampled
+/// factor. Each column of a Latin hypercube (McKay, Beckman and Conover 1979) has one value in each
+/// of `samples` equal parts. Sobol's sequence (1967) begins with its first point, which is the
+/// centre.
 std::vector<std::vector<double>> samples_of(const Design& d);
 
-/// The points of a design: all combinations of levels, the last factor's the fastest, the samples
-/// faster still.
+/// The points of a design: all combinations of levels and samples. Samples vary fastest, then the
+/// levels of the last factor.
 struct Points {
   long count = 0;
   std::vector<std::vector<double>> samples;
 };
 Points points_of(const Design& d);
 
-/// The level of each factor at a point.
+/// Returns the level of each factor at a point.
 std::vector<Level> levels_at(const Design& d, const Points& points, long index);
 
-/// What the point overrides: the fixed values, then the factors'.
+/// Returns the overrides of a point: the fixed values, then those of the factors.
 std::vector<std::string> overrides_at(const Design& d, const Points& points, long index);
 
 }  // namespace tdbd::sweep

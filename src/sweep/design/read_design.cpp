@@ -12,7 +12,7 @@
 namespace tdbd::sweep {
 namespace {
 
-/// Refuses what has no end before it is laid out: the product of all counts.
+/// Rejects too many points before they are generated. `points`: the product of all counts.
 void check_count(Config& c, double points) {
   if (c.problem_count() > 0 || points <= static_cast<double>(most_points)) return;
   c.problem("", fmt::format("{:.10g} points", points),
@@ -44,7 +44,7 @@ Factor read_factor(Config c, double& points) {
   return f;
 }
 
-/// Every factor has a key of its own, which nothing else sets.
+/// Records a mistake unless every factor has a key of its own that is set nowhere else.
 void check_keys(Config& c, const Design& d) {
   std::set<std::string> seen;
   for (const std::string& fixed : d.fixed) seen.insert(fixed.substr(0, fixed.find('=')));
@@ -79,7 +79,7 @@ void read_goals(Config& c, Design& d) {
   }
 }
 
-/// The planar model knows cutters of a case that is drilled.
+/// The planar model requires a bit with cutters and the command run.
 void read_filter(Config& c, Config& sweep, Design& d) {
   if (d.command == Command::planar || c.has(filter_keys::table))
     d.normal_ratio = sweep.read(sweep_keys::normal_ratio);

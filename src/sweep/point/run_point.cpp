@@ -64,7 +64,7 @@ void stop_if(sim::RunStatus status) {
   if (status == sim::RunStatus::interrupted) throw Interrupted{};
 }
 
-/// As `tdbd run` does it, without its files.
+/// Does the same as `tdbd run`, without its files.
 Summary drill(const Design& d, const Words& overrides, PointSurroundings& around) {
   const sim::Case c = read_case(d.case_file, overrides, around.starts);
   sim::Simulation s = start(c, around.starts, std::move(around.room));
@@ -88,7 +88,8 @@ Summary rotate(const Design& d, const Words& overrides, const std::atomic<bool>*
   return {c.hash, sim::summary_json(c, s, sim::RunStatus::completed)};
 }
 
-/// Cut runs are files, and the library behind them knows no threads.
+/// Calibrations take turns, because cut runs are files and the library that reads them does not
+/// support threads.
 Summary fit(const Design& d, const Words& overrides, const std::filesystem::path& cuts) {
   static std::mutex turn;
   const std::lock_guard hold(turn);
@@ -129,7 +130,8 @@ Summary summary_of(const Design& d, const Words& overrides, PointSurroundings& a
   return analyse(d, overrides);
 }
 
-/// Messages name files from the design's folder, so that they are the same wherever that lies.
+/// Makes the paths of files in a message relative to the design's folder, so that the message does
+/// not depend on the location of that folder.
 std::string from_folder(const Design& d, std::string message) {
   const std::string folder =
       (std::filesystem::absolute(d.file).lexically_normal().parent_path() / "").string();

@@ -11,7 +11,7 @@ namespace {
 namespace sim = simulation;
 
 constexpr double most_bits = 16.0;      // some megabytes each
-constexpr double most_triangles = 1e6;  // some 200 bytes each
+constexpr double most_triangles = 1e6;  // about 200 bytes each
 
 double or_none(double most, Keeping keeping) { return keeping == Keeping::on ? most : 0.0; }
 

@@ -10,14 +10,15 @@
 
 namespace tdbd::sweep {
 
-/// Values that several points need, the newest of them, up to a sum of weights: one that alone weighs
-/// more is made for its point only. Threads may call it at once.
+/// A cache of values that several points need. It keeps the newest values up to a sum of weights; a
+/// value that exceeds this alone is not kept. Several threads may use it at once.
 template <class T>
 class Kept {
  public:
   explicit Kept(double most) : most_(most) {}
 
-  /// The value of this key, from make() unless it is there. An empty key is that of no other.
+  /// Returns the value of this key; calls make() if the cache does not contain it. The value of an
+  /// empty key is never kept.
   template <class Make, class Weigh>
   std::shared_ptr<const T> get(const std::string& key, Make&& make, Weigh&& weigh) {
     if (auto found = find(key)) return found;
@@ -53,24 +54,25 @@ class Kept {
   std::deque<Entry> entries_;
 };
 
-/// Whether points begin with what others made.
+/// Whether points use start values that other points made.
 enum class Keeping { on, off };
 
-/// What points need before their first step. Most share bit and rock, and to read and make these
-/// takes longer than all else; so the newest few stay. Threads may use it at once.
+/// What points require before their first step. Most points share bit and rock, and reading and
+/// making these takes longer than everything else; therefore the newest ones are kept. Several
+/// threads may use it at once.
 struct Starts {
   explicit Starts(Keeping keeping);
-  Kept<bit::BitFile> files;                 ///< by all arguments of their reader
+  Kept<bit::BitFile> files;                 ///< by all arguments of the function that reads them
   Kept<rock::CuttingBit> bits;              ///< by Case::bit_hash
   Kept<simulation::StartSurface> surfaces;  ///< by start_surface_key
 };
 
-/// simulation::read_case of a sweep, during which files do not change.
+/// Does the same as simulation::read_case, for a sweep, during which files do not change.
 simulation::Case read_case(const std::string& path, const std::vector<std::string>& overrides,
                            Starts& kept);
 
-/// simulation::start of the case, to the bit. `room` is a bit to be overwritten: its memory serves
-/// again.
+/// Does the same as simulation::start, with bitwise identical results. `room`: a bit that is
+/// overwritten, so that its memory is reused.
 simulation::Simulation start(const simulation::Case& c, Starts& kept, rock::CuttingBit room);
 
 }  // namespace tdbd::sweep

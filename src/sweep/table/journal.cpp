@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* file_name = "points.jsonl";
-constexpr std::size_t seal_width = 16;  // hexadecimal digits, and a blank after them
+constexpr std::size_t seal_width = 16;  // hexadecimal digits, followed by a blank
 
 Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
@@ -50,13 +50,13 @@ PointRecord record_of(const Json& line) {
   return r;
 }
 
-/// Whether a line is as it was written: its hash, a blank, its body.
+/// Whether a line is complete and unchanged: its hash, a blank, its body.
 bool is_whole(const std::string& line) {
   return line.size() > seal_width && line[seal_width] == ' ' &&
          line.compare(0, seal_width, fnv1a_hex(std::string_view(line).substr(seal_width + 1))) == 0;
 }
 
-/// Bytes up to the last end of a line.
+/// Returns the number of bytes up to the last end of a line.
 std::size_t whole_lines(const std::string& text) {
   const std::size_t end = text.rfind('\n');
   return end == std::string::npos ? 0 : end + 1;
@@ -83,7 +83,7 @@ void read_journal(const fs::path& file, PointRecords& records) {
   }
 }
 
-/// Makes the folder and returns its path.
+/// Creates the folder and returns its path.
 const fs::path& made(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);

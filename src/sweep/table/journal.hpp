@@ -9,31 +9,31 @@
 
 namespace tdbd::sweep {
 
-/// A point as a journal holds it.
+/// A point as stored in a journal.
 struct PointRecord {
   PointOutcome outcome;
-  double seconds = 0.0;  ///< of the clock on the wall
+  double seconds = 0.0;  ///< wall time
 };
 
-/// Points by their key (point_keys).
+/// Points by key (point_keys).
 using PointRecords = std::map<std::string, PointRecord>;
 
-/// The points that one process adds: a line each, sealed by a hash of its bytes, in
-/// FOLDER/I-of-N/points.jsonl. A process that is killed leaves at most one torn line, at the end,
-/// which the next one to write there cuts off.
+/// The points that one process adds to FOLDER/I-of-N/points.jsonl, each as a line with a hash of
+/// its bytes. A process that is killed leaves at most one incomplete line, at the end, which the
+/// next process to write there removes.
 class Journal {
  public:
-  /// Takes the folder; makes it where it is missing. Throws InputError when another process writes
-  /// there, RunError when it cannot be written.
+  /// Locks the folder, and creates it if it is missing. Throws InputError if another process writes
+  /// there, RunError if it cannot be written.
   explicit Journal(const std::filesystem::path& folder);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// Appends one line, all of it or nothing. Throws RunError.
+  /// Appends one whole line or nothing. Throws RunError.
   void add(const std::string& key, const PointRecord& record);
 
-  /// Where no other process writes as long as this lives.
+  /// A folder to which no other process writes during the lifetime of this object.
   std::filesystem::path folder() const { return file_.parent_path(); }
 
  private:
@@ -42,8 +42,9 @@ class Journal {
   int descriptor_ = -1;
 };
 
-/// All points of the journals below a folder, whoever wrote them. A torn last line is left out.
-/// Throws RunError that names the file and line of any other line that is not as it was written.
+/// Reads the points of all journals below a folder, by any process. An incomplete last line is
+/// ignored. Throws RunError with the file and line of any other line that is incomplete or was
+/// changed.
 PointRecords read_journals(const std::filesystem::path& folder);
 
 }  // namespace tdbd::sweep

@@ -19,7 +19,7 @@ namespace {
 
 using Row = std::vector<double>;
 
-/// Values that should become small.
+/// Returns the values of the goals with signs such that smaller is better.
 Row costs_of(const Row& row, const std::vector<Goal>& goals) {
   Row costs = row;
   for (std::size_t k = 0; k < costs.size(); ++k)
@@ -27,7 +27,7 @@ Row costs_of(const Row& row, const std::vector<Goal>& goals) {
   return costs;
 }
 
-/// As good in every goal, better in one.
+/// Whether `a` is as good in every goal and better in one.
 bool dominates(const Row& a, const Row& b) {
   bool better = false;
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -67,7 +67,7 @@ void put_flags(TableFile& f, const std::string& name, const std::string& meaning
   f.file.put(variable, values);
 }
 
-/// One value of each point.
+/// Returns one value of each point.
 template <class Value, class Of>
 std::vector<Value> column(const Table& t, Of&& of) {
   std::vector<Value> values;
@@ -138,8 +138,8 @@ void put_head(TableFile& f, const Design& d) {
 
 }  // namespace
 
-/// In lexicographic order a row can only be dominated by one that came before, and then also by one
-/// of the front so far (Kung, Luccio and Preparata 1975).
+/// In lexicographic order a row can only be dominated by an earlier one, and then also by a row of
+/// the front found so far (Kung, Luccio and Preparata 1975).
 std::vector<char> front_of(const std::vector<Row>& rows, const std::vector<Goal>& goals) {
   std::vector<char> on_front(rows.size(), 0);
   if (goals.empty()) return on_front;
@@ -177,7 +177,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Levels that are all numbers in one unit are numbers.
+/// Returns a column of numbers if all levels are numbers in one unit, otherwise a column of texts.
 FactorColumn column_of(const Factor& f) {
   if (f.levels.empty()) return {f.key, f.interval->unit, true};
   const Level& first = f.levels.front();
@@ -202,7 +202,8 @@ std::vector<char> front_in(const Table& t) {
   return front_of(rows, d.goals);
 }
 
-/// A cell of a CSV file: quoted where a comma, a quote or a new line asks for it (RFC 4180).
+/// Returns a cell of a CSV file, in quotes if it contains a comma, a quote or a new line (RFC
+/// 4180).
 std::string cell(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -239,7 +240,7 @@ std::string row_of(const Table& t, std::size_t i) {
   return row;
 }
 
-/// Within a file system: whoever reads it sees the former file or this one.
+/// Renames a file within a file system: readers see either the previous file or this one.
 void move(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);

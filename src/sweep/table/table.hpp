@@ -10,9 +10,9 @@
 
 namespace tdbd::sweep {
 
-/// Which rows no other row dominates: one that is as good in every goal and better in one (Pareto's
-/// front). `rows`: a value for each goal, in the design's order; a row with a value that is not
-/// finite is never on the front. 1: on it.
+/// Returns which rows are not dominated by any other row (Pareto front). A row dominates another if
+/// it is as good in every goal and better in one. `rows`: a value for each goal, in the design's
+/// order; rows with values that are not finite are never on the front. 1: on the front.
 std::vector<char> front_of(const std::vector<std::vector<double>>& rows,
                            const std::vector<Goal>& goals);
 
@@ -22,44 +22,48 @@ struct FactorColumn {
   bool numbers = false;
 };
 
-/// What the planar model said of the points, and which of them are run.
+/// The results of the planar model for the points, and which of them are run.
 struct Judged {
-  std::vector<double> figure;  ///< NaN: it could not say; empty: there is no filter
-  std::vector<char> kept;      ///< empty: all are
+  std::vector<double> figure;  ///< NaN if it failed; empty: there is no filter
+  std::vector<char> kept;      ///< empty: all are kept
   bool keeps(std::size_t point) const { return kept.empty() || kept[point] != 0; }
 };
 
-/// The best of a filter, in number at most what it keeps; points of equal figures in their order, those that are no
-/// number never.
+/// Selects the best points of a filter, at most the number that it keeps. Points with equal figures
+/// are selected in their order; points whose figure is not a number are never selected.
 Judged judged_by(const Filter& filter, std::vector<double> figure);
 
-/// All points of a design with what they came to, in the order of the design.
+/// All points of a design with their results, in the order of the design.
 struct Table {
   const Design* design = nullptr;
   std::vector<FactorColumn> factors;
   std::vector<std::vector<Level>> levels;  ///< of each point
-  std::vector<const PointRecord*> points;  ///< null: not done yet
-  std::vector<char> on_front;              ///< of a design with goals: not dominated
-  Judged judged;                           ///< of a design with a filter
+  std::vector<const PointRecord*> points;  ///< null: not completed
+  std::vector<char> on_front;              ///< for a design with goals: not dominated
+  Judged judged;                           ///< for a design with a filter
 };
 
-/// The table of a design as far as its points are done; the records must outlive it.
+/// Returns the table of a design with the points completed so far. The records must outlive it.
 Table table_of(const Design& d, const Points& points, const std::vector<std::string>& keys,
                const PointRecords& records, const Judged& judged = {});
 
-/// Points that are done, of either status; and those that are run at all.
+/// The number of completed points, successful or failed; and the number of points to be run.
 long done_points(const Table& t);
 long points_to_run(const Table& t);
 
-/// NAME.nc for xarray: dimension point; one variable for each factor (under its key) and each
-/// figure, status, message, case_hash, and front; the design's goals and text as attributes. The
-/// bytes depend on design and program alone. NAME.csv the same as text, NAME_timing.csv the seconds
-/// of each point. All are written in a folder on the same disk that is this process's own, and then
-/// moved: shards that end together may all write the table. Throws RunError.
+/// Writes three files. NAME.nc, for xarray, has the dimension point, one variable per factor (named
+/// like its key) and per figure, status, message, case_hash, and front; the goals and the text of
+/// the design are attributes. The bytes depend on design and program only. NAME.csv is the same as
+/// text, and NAME_timing.csv has the seconds of each point. All are written to a folder of this
+/// process on the same disk and then moved, because shards that end at the same time may all write
+/// the table. Throws RunError.
 void write_table(const std::filesystem::path& netcdf_file, const Table& t,
                  const std::filesystem::path& own_folder);
 
-/// The text of NAME.csv.
+/// Writes NAME.nc only, completely or not at all. Throws RunError.
+void write_netcdf(const std::filesystem::path& file, const Table& t);
+
+/// Returns the text of NAME.csv.
 std::string to_csv(const Table& t);
 
 }  // namespace tdbd::sweep

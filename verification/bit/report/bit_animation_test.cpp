@@ -337,7 +337,7 @@ RC_GTEST_PROP(BodyPoses, take_the_bit_at_rest_to_where_it_is, ()) {
     }
 }
 
-/// One row for each time and body, in this order, with digits that read back to the bit.
+/// One row for each time and body, in this order, with digits that read back exactly.
 TEST(BodyPoses, are_written_as_rows_of_times_and_bodies) {
   const Bit bit = read(TDBD_SOURCE_DIR "/cases/bits/bit-r.toml");
   std::vector<BodyPoses> frames;

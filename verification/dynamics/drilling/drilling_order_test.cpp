@@ -157,14 +157,14 @@ TEST(Divergence, measures_the_residual_by_every_way_in_and_out) {
     d.ledger.*a = 3.0;
     d.ledger.*b = 4.0;
     const std::string why = divergence(s, d, d.work);
-    return why.substr(0, why.find(" came"));
+    return why.substr(0, why.find(" of energy in"));
   };
   using L = EnergyLedger;
   constexpr std::array ways{&L::start, &L::top, &L::gravity, &L::cut_bit, &L::cut_rock};
   for (const auto a : ways)
     for (const auto b : ways) {
       if (a == b) continue;
-      EXPECT_NE(told(a, b).find(" where 7 J"), std::string::npos) << told(a, b);
+      EXPECT_NE(told(a, b).find(" with 7 J"), std::string::npos) << told(a, b);
     }
 }
 

@@ -141,7 +141,7 @@ TEST(DrillingSystem, state_is_made_of_pose_and_velocities) {
   EXPECT_EQ(x.rotation.cone_angles[1], 0.6);
 }
 
-/// The moments are proportional to the stiffness, to the bit, however weak it is.
+/// The moments are exactly proportional to the stiffness, however weak it is.
 TEST(DrillingSystem, weak_string_turns_back_in_proportion) {
   DrillingSystem s = coupled_bit(AxialMode::rate, DamperEnd::space);
   const DrillingState x = coupled_start(s);

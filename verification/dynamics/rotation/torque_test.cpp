@@ -223,7 +223,7 @@ TEST(VelocityTorque, predicted_closing_torque_is_second_order_at_one_evaluation)
   EXPECT_EQ(r.evaluations, 51);
 }
 
-/// What the thesis's wording alone would give: the torque of the last evaluation, as it stands.
+/// What the thesis's wording alone would give: the unchanged torque of the last evaluation.
 RotationScheme kept_torque() {
   const auto step = [](const dynamics::Gyrostat& g, const dynamics::Loads& loads, double h,
                        auto& r) {

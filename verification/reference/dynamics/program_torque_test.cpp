@@ -258,12 +258,12 @@ TEST(AppliedTorque, unequal_springs_act_on_space_axes) {
 TEST(AppliedTorque, samples_are_joined_by_lines_and_held_outside) {
   const dynamics::SampledTorque s{
       dynamics::TorqueFrame::body, {1.0, 2.0, 4.0}, {Vec3(1, 0, 0), Vec3(3, 0, 0), Vec3(-1, 2, 0)}};
-  EXPECT_EQ(sampled_torque(s, 0.0), Vec3(1, 0, 0));
-  EXPECT_EQ(sampled_torque(s, 1.5), Vec3(2, 0, 0));
-  EXPECT_EQ(sampled_torque(s, 2.0), Vec3(3, 0, 0));
-  EXPECT_EQ(sampled_torque(s, 3.0), Vec3(1, 1, 0));
-  EXPECT_EQ(sampled_torque(s, 9.0), Vec3(-1, 2, 0));
-  EXPECT_EQ(sampled_torque({}, 9.0), Vec3(0, 0, 0));
+  EXPECT_EQ(reference::sampled_torque(s, 0.0), Vec3(1, 0, 0));
+  EXPECT_EQ(reference::sampled_torque(s, 1.5), Vec3(2, 0, 0));
+  EXPECT_EQ(reference::sampled_torque(s, 2.0), Vec3(3, 0, 0));
+  EXPECT_EQ(reference::sampled_torque(s, 3.0), Vec3(1, 1, 0));
+  EXPECT_EQ(reference::sampled_torque(s, 9.0), Vec3(-1, 2, 0));
+  EXPECT_EQ(reference::sampled_torque({}, 9.0), Vec3(0, 0, 0));
 }
 
 /// Each load alone, at an attitude that turns x to y to z to x.

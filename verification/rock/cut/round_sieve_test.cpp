@@ -198,8 +198,8 @@ bool same_places(const Rock& a, const Rock& b) {
       [](const mesh::VertexStar& s, const mesh::VertexStar& t) { return s.x == t.x; });
 }
 
-/// What is not swept does not move: the planes around a group and its cylinder give the same step,
-/// to the bit.
+/// What is not swept does not move: the planes around a group and its cylinder give
+/// bitwise identical steps.
 RC_GTEST_PROP(RoundSieve, moves_the_same_as_the_planes_do, ()) {
   const Scene s = scene_of_discs();
   const Cut c = cut(s, Around::cylinder), twin = cut(s, Around::planes);

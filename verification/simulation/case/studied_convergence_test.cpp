@@ -16,7 +16,7 @@ namespace tdbd::simulation::studied_convergence_test {
 
 using Json = nlohmann::json;
 
-/// Weight 10 + 4 h, h from 1 to 1/4, uncertain by 0.75 at the finest; torque likewise over its tenth.
+/// Weight 10 + 4 h, h from 1 to 1/4, uncertain by 0.75 at the finest; torque a tenth of the weight.
 Json of_weight() {
   Json study{{"keys", {"time.step"}}, {"levels", Json::array()}};
   for (const double h : {1.0, 0.5, 0.25})

@@ -88,7 +88,7 @@ TEST(RunEstimate, adds_up_what_its_files_hold) {
                              10.0 * static_cast<double>(c.bit.cutters.size());
       const double row = (history_every > 1 ? 2.0 : 8.0) * numbers + 18.0 * 25.0;
       const double expected = 43.0 * frames * triangles + (frames > 1.0 ? 63.0 : 43.0) * of_bit +
-                              (25.0 + 2.0 * 110.0) * triangles +
+                              (25.0 + 2.0 * 55.0) * triangles +
                               row * steps / static_cast<double>(history_every);
       const RunEstimate e = estimate(c, s);
       EXPECT_DOUBLE_EQ(e.triangles, triangles);

@@ -112,7 +112,7 @@ TEST_F(ResumeOne, goes_on_from_the_last_checkpoint_that_could_be_written) {
   };
   EXPECT_EQ(run(c, o).status, RunStatus::interrupted);
   ASSERT_EQ(warnings.size(), 1U) << "once, though three failed";
-  EXPECT_NE(warnings[0].find("checkpoint-new.bin.partial: Is a directory; the run goes on"),
+  EXPECT_NE(warnings[0].find("checkpoint-new.bin: Is a directory; the run continues"),
             std::string::npos)
       << warnings[0];
   EXPECT_EQ(read_checkpoint(folder / "checkpoint.bin", c).state.steps_done, 20);

@@ -145,7 +145,7 @@ TEST_F(RotateResumeOne, is_named_where_the_other_command_is_asked) {
   } catch (const InputError& e) {
     EXPECT_EQ(e.what(),
               folder.string() +
-                  ": found a run of tdbd rotate, expected one of tdbd run; to go on: tdbd "
+                  ": found a run of tdbd rotate, expected one of tdbd run; to resume it: tdbd "
                   "rotate --resume " +
                   folder.string());
   }

@@ -23,7 +23,7 @@ int interruptions = 0;          ///< of calls of write() to come
 ssize_t when_interrupted = -1;  ///< what they return
 }  // namespace
 
-/// In the place of the system's, for the whole program.
+/// Replaces the function of the system in the whole program.
 extern "C" ssize_t write(int file, const void* bytes, size_t count) {
   if (interruptions == 0) return syscall(SYS_write, file, bytes, count);
   --interruptions;
