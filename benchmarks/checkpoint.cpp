@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Wish {
+struct ProgramOptions {
   double edge_length_mm = 0.6;
   int repeats = 9;
 };
@@ -29,7 +29,7 @@ double median(std::vector<double> x) {
 }
 
 /// Writes to the current directory, so that the user chooses the disk.
-void measure(const Wish& wish) {
+void measure(const ProgramOptions& wish) {
   const Workload w{"standard", "standard-workload", 1e-3 * wish.edge_length_mm, {}, ""};
   Drilling d = start_workload(w, {}, 20);
   const fs::path file = fmt::format("checkpoint-{}.bin", getpid());
@@ -53,7 +53,7 @@ void measure(const Wish& wish) {
 
 int main(int argc, char** argv) {
   CLI::App app("Times the checkpoint of a large rock.");
-  tdbd::bench::Wish wish;
+  tdbd::bench::ProgramOptions wish;
   app.add_option("--edge", wish.edge_length_mm, "mm")->capture_default_str();
   app.add_option("--repeats", wish.repeats)->capture_default_str();
   return tdbd::bench::parse_and_run(app, argc, argv, [&] { tdbd::bench::measure(wish); });

@@ -23,7 +23,7 @@ StepKind step_of(Drilling& d) {
 
 MeshFigures figures_of(const Drilling& d) {
   const mesh::Surface& surface = d.run.state.rock.surface;
-  const mesh::QualityFigures quality = mesh::quality_figures(surface);
+  const mesh::QualityStatistics quality = mesh::quality_statistics(surface);
   return {surface.triangle_count(), quality.least, quality.one_percent,
           d.run.state.maintenance.touched_triangles};
 }

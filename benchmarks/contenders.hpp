@@ -12,7 +12,7 @@ enum class StepKind { plain, maintained };
 /// Properties of a contender's mesh.
 struct MeshFigures {
   long triangles = 0;
-  double least_quality = 0.0, one_percent_quality = 0.0;  ///< mesh::QualityFigures
+  double least_quality = 0.0, one_percent_quality = 0.0;  ///< mesh::QualityStatistics
   long maintained = 0;  ///< number of triangles processed by all maintenances so far
 };
 

@@ -1,7 +1,7 @@
 // Run time of a force law for one part.
 #include <benchmark/benchmark.h>
 
-#include "forces/fits.hpp"
+#include "forces/law.hpp"
 
 namespace tdbd {
 namespace {

@@ -22,7 +22,7 @@
 namespace tdbd::bench {
 namespace {
 
-struct Wish {
+struct ProgramOptions {
   std::string workload;
   long steps = 20;
   long warm = -1;  ///< negative: one revolution
@@ -34,7 +34,7 @@ struct Wish {
 /// its name.
 [[gnu::noinline]] void counted_steps(Drilling& d, long steps) { drill(d, steps); }
 
-void count(Drilling d, const Wish& wish) {
+void count(Drilling d, const ProgramOptions& wish) {
   CALLGRIND_START_INSTRUMENTATION;
   counted_steps(d, wish.steps);
   CALLGRIND_STOP_INSTRUMENTATION;
@@ -47,7 +47,7 @@ std::string names() {
   return all + " " + metre_workload().name;
 }
 
-void run(const Wish& wish) {
+void run(const ProgramOptions& wish) {
   const ThreadLimit threads(wish.threads);
   for (const Workload& w : workloads())
     if (w.name == wish.workload) return count(start_workload(w, wish.settings, wish.warm), wish);
@@ -60,7 +60,7 @@ void run(const Wish& wish) {
 }  // namespace tdbd::bench
 
 int main(int argc, char** argv) {
-  tdbd::bench::Wish wish;
+  tdbd::bench::ProgramOptions wish;
   CLI::App app{"Some steps of a workload, for valgrind --tool=callgrind --instr-atstart=no."};
   app.add_option("WORKLOAD", wish.workload, "what is drilled")->required();
   app.add_option("--steps", wish.steps, "steps that are counted")->check(CLI::PositiveNumber);

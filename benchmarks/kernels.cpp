@@ -7,8 +7,8 @@
 
 #include "benchmarks/drilling.hpp"
 #include "reference/literature/surface/range_search.hpp"
+#include "rock/cut/group_cut.hpp"
 #include "rock/cut/hull_filter.hpp"
-#include "rock/cut/mapped_direction.hpp"
 #include "rock/cut/swept_part.hpp"
 #include "rock/maintain/maintain.hpp"
 
@@ -44,7 +44,7 @@ std::vector<Query> queries_of_next_step(const Drilling& d) {
   for (const rock::CuttingGroup& g : d.run.work.cutting.groups) {
     const auto motion = rock::group_motion(g, pose_after(d, 0.0), pose_after(d, 1.0));
     rock::NearList list;
-    bring_up_to_date(d.run.state.rock.grid, {g.box_P, motion.X_WP0, motion.X_WP1, motion.region_W},
+    update_near_list(d.run.state.rock.grid, {g.box_P, motion.X_WP0, motion.X_WP1, motion.region_W},
                      {}, list);
     rock::find_candidates(g, motion, d.run.state.rock.surface, list, -1.0, near);
     for (const int place : near.places)

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "benchmarks/drilling.hpp"
-#include "rock/maintain/renumber.hpp"
+#include "rock/start/space_order.hpp"
 
 namespace tdbd::bench {
 namespace {
@@ -42,7 +42,7 @@ double seconds_of_renumbering(const rock::Rock& rock) {
 }
 
 /// Keeps the numbers, so that only the index is new.
-rock::Rock indexed_anew(const rock::Rock& old) {
+rock::Rock with_rebuilt_index(const rock::Rock& old) {
   mesh::Box room;
   for (const mesh::VertexStar& star : old.surface.stars)
     room.add(star.x + Vec3(0.0, 0.0, 20.0 * edge));
@@ -94,7 +94,7 @@ int run(long revolutions, std::vector<std::string> settings) {
   Drilling d = start_drilling("standard-workload", edge, std::move(settings));
   drill(d, revolutions * steps_of_a_revolution(d.plan));
   std::array<Drilling, 3> sides{continued(d, d.run.state.rock),
-                                continued(d, indexed_anew(d.run.state.rock)),
+                                continued(d, with_rebuilt_index(d.run.state.rock)),
                                 continued(d, by_place(d.run.state.rock))};
   const double renumbering = seconds_of_renumbering(d.run.state.rock);
   const Comparison c = compare(sides);

@@ -19,7 +19,7 @@
 namespace tdbd::bench {
 namespace {
 
-struct Wish {
+struct ProgramOptions {
   double length = 1.0;  ///< m
   int threads = 2;
   std::vector<std::string> settings;
@@ -39,7 +39,7 @@ struct Tenth {
   long triangles;
 };
 
-std::vector<Tenth> drill_tenths(Drilling& d, const Wish& wish, long steps) {
+std::vector<Tenth> drill_tenths(Drilling& d, const ProgramOptions& wish, long steps) {
   std::vector<Tenth> tenths;
   fmt::print("{:>8}{:>10}{:>12}{:>12}{:>12}\n", "m", "wall s", "us a step", "peak MB", "triangles");
   const double start = wall_seconds();
@@ -57,7 +57,7 @@ std::vector<Tenth> drill_tenths(Drilling& d, const Wish& wish, long steps) {
   return tenths;
 }
 
-void write_json(const Wish& wish, long steps, const std::vector<Tenth>& tenths) {
+void write_json(const ProgramOptions& wish, long steps, const std::vector<Tenth>& tenths) {
   auto rows = nlohmann::ordered_json::array();
   for (const Tenth& t : tenths)
     rows.push_back(
@@ -73,7 +73,7 @@ void write_json(const Wish& wish, long steps, const std::vector<Tenth>& tenths) 
   std::ofstream(wish.json) << nlohmann::ordered_json{{"metre", metre}}.dump(1) << "\n";
 }
 
-void run(const Wish& wish) {
+void run(const ProgramOptions& wish) {
   const ThreadLimit threads(wish.threads);
   Drilling d = start_workload(metre_workload(), wish.settings, 0);
   const double per_step = d.plan.motion.rate_of_penetration * d.plan.time.step;
@@ -88,7 +88,7 @@ void run(const Wish& wish) {
 }  // namespace tdbd::bench
 
 int main(int argc, char** argv) {
-  tdbd::bench::Wish wish;
+  tdbd::bench::ProgramOptions wish;
   CLI::App app{"A metre of hole by bit B at 2.0 mm edges."};
   app.add_option("--length", wish.length, "m")->check(CLI::PositiveNumber);
   app.add_option("--threads", wish.threads, "threads")->check(CLI::PositiveNumber);

@@ -16,7 +16,7 @@
 namespace tdbd::bench {
 namespace {
 
-struct Wish {
+struct ProgramOptions {
   std::vector<std::string> only, settings;
   int threads = 1;
   long warm_turns = 5, cold_turns = 15;
@@ -61,12 +61,12 @@ void write_histogram(const std::string& file, const std::vector<Contender>& side
   out << "\n";
 }
 
-void run(const Wish& wish) {
+void run(const ProgramOptions& wish) {
   const Counters counters;  // before any thread starts
   const ThreadLimit threads(wish.threads);
   const Clock clock = wish.threads > 1 ? Clock::wall : Clock::cpu;
   const char* const time = clock == Clock::cpu ? "CPU" : "wall";
-  const double clock_us = 1e6 * cost_of(clock);
+  const double clock_us = 1e6 * clock_overhead(clock);
   const std::vector<Contender> sides = contenders(wish.only, wish.settings);
   fmt::print("{} time, {} thread(s); reading the clock takes {:.2f} us; ratios are over {}\n", time,
              wish.threads, clock_us, yardstick);
@@ -75,7 +75,7 @@ void run(const Wish& wish) {
        {Condition{"warm", 500, wish.warm_turns}, Condition{"cold", 100, wish.cold_turns}}) {
     if (c.turns <= 0) continue;
     const std::vector<Turns> turns = measure(sides, c, clock, counters);
-    conditions.push_back(condition_told(c, sides, figures_of(turns)));
+    conditions.push_back(condition_json(c, sides, figures_of(turns)));
     if (c.name == "warm" && !wish.histogram.empty()) write_histogram(wish.histogram, sides, turns);
     fmt::print("{}", condition_text(conditions.back()));
   }
@@ -92,7 +92,7 @@ void run(const Wish& wish) {
 }  // namespace tdbd::bench
 
 int main(int argc, char** argv) {
-  tdbd::bench::Wish wish;
+  tdbd::bench::ProgramOptions wish;
   CLI::App app{"A step of ours over a step of a height field, in one run."};
   app.add_option("--only", wish.only, "workloads; all if not given");
   app.add_option("--set", wish.settings, "KEY=VALUE of every case of ours");

@@ -13,7 +13,7 @@ Json scaled(const std::optional<double>& value, double scale) {
   return value ? Json(*value * scale) : Json();
 }
 
-Json row_told(const Contender& c, const Figures& f, const Figures& z_map) {
+Json contender_row_json(const Contender& c, const Figures& f, const Figures& z_map) {
   Json row{{"name", c.name},
            {"what", c.what},
            {"us", 1e6 * f.typical},
@@ -41,14 +41,14 @@ std::string cell(const Json& row, const char* key) {
 
 }  // namespace
 
-Json condition_told(const Condition& condition, const std::vector<Contender>& sides,
+Json condition_json(const Condition& condition, const std::vector<Contender>& sides,
                     const std::vector<Figures>& figures) {
   const auto z_map = std::find_if(sides.begin(), sides.end(),
                                   [](const Contender& c) { return c.name == yardstick; });
   const Figures& over = figures[static_cast<std::size_t>(z_map - sides.begin())];
   Json rows = Json::array();
   for (std::size_t i = 0; i < sides.size(); ++i)
-    rows.push_back(row_told(sides[i], figures[i], over));
+    rows.push_back(contender_row_json(sides[i], figures[i], over));
   return {{"name", condition.name},
           {"turns", condition.turns},
           {"steps", condition.steps},

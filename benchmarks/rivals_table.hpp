@@ -17,7 +17,7 @@ struct Condition {
 
 /// All values of a condition, those of the present meshes, and their ratios to the yardstick's.
 /// Times in us, counts in millions; null where there was no counter.
-nlohmann::ordered_json condition_told(const Condition& condition,
+nlohmann::ordered_json condition_json(const Condition& condition,
                                       const std::vector<Contender>& sides,
                                       const std::vector<Figures>& figures);
 

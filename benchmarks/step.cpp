@@ -116,7 +116,7 @@ void corefinement_of_our_rock(benchmark::State& state) {
 /// CGAL starts from TDBD's rock and continues with its own result, step after step, as a program
 /// that drills with it would. One iteration: CGAL's steps up to the next maintenance, then TDBD's.
 /// The reported time is CGAL's.
-void corefinement_carried_on(benchmark::State& state) {
+void corefinement_of_own_result(benchmark::State& state) {
   Drilling d = after_one_revolution("standard-workload", 1.0 * mm);
   mesh::TriangleMesh block_W = block_of(d);
   Side cgal, tdbd;
@@ -150,7 +150,7 @@ void race(benchmark::internal::Benchmark* b) {
 }
 
 BENCHMARK(corefinement_of_our_rock)->Apply(race)->Iterations(15);
-BENCHMARK(corefinement_carried_on)->Apply(race)->Iterations(3);
+BENCHMARK(corefinement_of_own_result)->Apply(race)->Iterations(3);
 
 }  // namespace
 }  // namespace tdbd::bench

@@ -65,7 +65,7 @@ void add_count(const std::optional<double>& before, const std::optional<double>&
 
 double seconds_of(Clock clock) { return clock == Clock::cpu ? cpu_seconds() : wall_seconds(); }
 
-double cost_of(Clock clock) {
+double clock_overhead(Clock clock) {
   constexpr int reads = 10000;
   const double start = seconds_of(clock);
   for (int i = 1; i < reads; ++i) seconds_of(clock);

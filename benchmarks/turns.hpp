@@ -15,7 +15,7 @@ enum class Clock { cpu, wall };
 double seconds_of(Clock clock);
 
 /// Time to read the clock, s.
-double cost_of(Clock clock);
+double clock_overhead(Clock clock);
 
 /// Turns of one contender.
 struct Turns {

@@ -9,7 +9,6 @@
 
 #include "bit/report/bit_output.hpp"
 #include "core/error.hpp"
-#include "core/reason.hpp"
 #include "mesh/files/ply.hpp"
 #include "mesh/surface.hpp"
 #include "simulation/start/rock_stamp.hpp"
@@ -35,7 +34,7 @@ int guarded(Act&& act) {
   try {
     return act();
   } catch (const std::exception& e) {
-    text = reason_of(e);
+    text = error_message_of(e);
     return -1;
   }
 }

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "bit/part_kind.hpp"
-#include "bit/report/bit_motion.hpp"
+#include "bit/bit.hpp"
+#include "bit/report/bit_output.hpp"
 #include "core/provenance.hpp"
 
 namespace tdbd::web {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "dynamics/momenta.hpp"
-#include "dynamics/rotation/torque.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "dynamics/gyrostat.hpp"
+#include "dynamics/rotation/kick.hpp"
+#include "rotation/screw.hpp"
 
 namespace tdbd::bench {
 namespace {

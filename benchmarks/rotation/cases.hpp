@@ -5,7 +5,6 @@
 
 #include "dynamics/gyrostat.hpp"
 #include "dynamics/loads.hpp"
-#include "dynamics/rotation_state.hpp"
 
 namespace tdbd::bench {
 

@@ -9,7 +9,7 @@
 
 #include "benchmarks/rotation/method.hpp"
 #include "core/error.hpp"
-#include "dynamics/momenta.hpp"
+#include "dynamics/gyrostat.hpp"
 
 namespace tdbd::bench {
 namespace {

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "dynamics/gyrostat.hpp"
-#include "dynamics/momenta.hpp"
 #include "dynamics/rotation/step.hpp"
 
 using namespace tdbd;

@@ -1,4 +1,4 @@
-#include "calibration/laboratory/laboratory_file.hpp"
+#include "calibration/laboratory/laboratory.hpp"
 #include "calibration/result/calibrate.hpp"
 #include "python/src/options.hpp"
 

@@ -26,7 +26,7 @@ struct Live {
 
 /// Calls look(state) without the GIL, while no other thread uses the simulation.
 template <class Live, class Look>
-auto looked_at(Live& live, Look&& look) {
+auto read_state(Live& live, Look&& look) {
   const py::gil_scoped_release released;
   const std::lock_guard lock(*live.busy);
   return look(live.state);

@@ -28,7 +28,7 @@ bool rotating_is_done(const Rotating& live, const sim::RotateSimulation& s) {
 }
 
 std::string rotating_summary(Rotating& live) {
-  return looked_at(live, [&](const sim::RotateSimulation& s) {
+  return read_state(live, [&](const sim::RotateSimulation& s) {
     const auto status =
         rotating_is_done(live, s) ? sim::RunStatus::completed : sim::RunStatus::interrupted;
     return sim::summary_json(*live.of, s, status);
@@ -39,7 +39,7 @@ std::string rotating_summary(Rotating& live) {
 template <class Get>
 auto rotating_number(Get get) {
   return [get](Rotating& live) {
-    return looked_at(live, [&](const sim::RotateSimulation& s) { return get(live, s); });
+    return read_state(live, [&](const sim::RotateSimulation& s) { return get(live, s); });
   };
 }
 
@@ -47,7 +47,7 @@ auto rotating_number(Get get) {
 template <class Get>
 auto rotating_array(Get get) {
   return [get](Rotating& live) {
-    return array_of(looked_at(
+    return array_of(read_state(
         live, [&](const sim::RotateSimulation& s) { return get(*live.of, s.rotating.state); }));
   };
 }

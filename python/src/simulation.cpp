@@ -38,7 +38,7 @@ bool drilling_is_done(const Drilling& live, const sim::Simulation& s) {
 }
 
 std::string drilling_summary(Drilling& live) {
-  return looked_at(live, [&](const sim::Simulation& s) {
+  return read_state(live, [&](const sim::Simulation& s) {
     const auto status =
         drilling_is_done(live, s) ? sim::RunStatus::completed : sim::RunStatus::interrupted;
     sim::RunSummary summary = sim::summary_of(*live.of, s, status);
@@ -49,7 +49,7 @@ std::string drilling_summary(Drilling& live) {
 
 /// Vertices, faces, and the part that cut each vertex last.
 py::tuple drilling_surface(Drilling& live) {
-  auto [m, parts] = looked_at(live, [](const sim::Simulation& s) {
+  auto [m, parts] = read_state(live, [](const sim::Simulation& s) {
     std::vector<int> slots;
     mesh::TriangleMesh of = mesh::compact(s.state.rock.surface, &slots);
     for (int& slot : slots) slot = s.state.rock.last_part[at(slot)];
@@ -68,7 +68,7 @@ std::vector<double> removed_of(const sim::Simulation& s) {
 template <class Get>
 auto number(Get get) {
   return [get](Drilling& live) {
-    return looked_at(live, [&](const sim::Simulation& s) { return get(live, s); });
+    return read_state(live, [&](const sim::Simulation& s) { return get(live, s); });
   };
 }
 
@@ -76,7 +76,7 @@ auto number(Get get) {
 template <class Get>
 auto array(Get get) {
   return [get](Drilling& live) {
-    return array_of(looked_at(live, [&](const sim::Simulation& s) { return get(s); }));
+    return array_of(read_state(live, [&](const sim::Simulation& s) { return get(s); }));
   };
 }
 

@@ -5,9 +5,8 @@
 #include "python/src/options.hpp"
 #include "simulation/result/run.hpp"
 #include "simulation/rotate/rotate_simulation.hpp"
-#include "simulation/start/reach.hpp"
+#include "simulation/start/rock_start.hpp"
 #include "simulation/study/convergence_output.hpp"
-#include "simulation/study/convergence_run.hpp"
 
 namespace tdbd::python {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/angles.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::reference {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/angles.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::reference {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/angles.hpp"
 #include "core/error.hpp"
+#include "core/types.hpp"
 #include "reference/bit/radial_columns.hpp"
 
 namespace tdbd::reference {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/pose.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::reference {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/angles.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::reference {
 namespace {

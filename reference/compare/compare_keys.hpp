@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/angles.hpp"
 #include "core/config/key.hpp"
+#include "core/types.hpp"
 #include "reference/literature/drag/plane/planar_outline.hpp"
 
 /// The keys of [compare], which only tdbd-compare reads. The rest of the file is a case of tdbd

@@ -10,7 +10,7 @@ namespace {
 
 void check_complete(const Answer& a) {
   for (std::size_t i = 0; i < quantity_count; ++i)
-    if (const Saying& s = a.findings.says[i]; s.value.has_value() == !s.reason.empty())
+    if (const QuantityResult& s = a.findings.says[i]; s.value.has_value() == !s.reason.empty())
       throw RunError(fmt::format("{}: {}: neither a number nor a reason", a.model->title,
                                  quantity_texts()[i].name));
 }
@@ -29,8 +29,8 @@ Findings findings_of(const Model& m, const Question& q) {
   const CpuClock clock;
   Findings f = is_free(q.asked) ? m.free(q) : m.answer(q);
   if (!is_free(q.asked))
-    cannot_say(f, {Quantity::rate_of_penetration, Quantity::whirl_radius},
-               "given: the case moves the bit");
+    set_missing(f, {Quantity::rate_of_penetration, Quantity::whirl_radius},
+                "given: the case moves the bit");
   if (f.cost.cpu == 0.0) f.cost.cpu = clock.seconds();
   return f;
 }
@@ -48,14 +48,15 @@ Comparison compare(const CompareCase& c, const std::vector<const Model*>& chosen
       all.answers.push_back({m, findings_of(*m, {c, all.weight})});
     } catch (const InputError& e) {
       if (refusal == Refusal::stops) throw;
-      all.not_asked.emplace_back(e.what());
+      all.excluded_models.emplace_back(e.what());
       continue;
     }
     check_complete(all.answers.back());
     take_weight(all.answers.back(), all);
   }
   for (const Model& m : models())
-    if (const std::string why = why_not(m, c); !why.empty()) all.not_asked.push_back(why);
+    if (const std::string why = exclusion_reason(m, c); !why.empty())
+      all.excluded_models.push_back(why);
   return all;
 }
 

@@ -17,9 +17,9 @@ struct Answer {
 /// The results of all chosen models for one case, in the order of models().
 struct Comparison {
   std::vector<Answer> answers;
-  double weight = 0.0;                 ///< N, the reference weight; 0: none was found
-  std::string weight_from;             ///< the case, or the model that computed it
-  std::vector<std::string> not_asked;  ///< reasons why other models have no results
+  double weight = 0.0;                       ///< N, the reference weight; 0: none was found
+  std::string weight_from;                   ///< the case, or the model that computed it
+  std::vector<std::string> excluded_models;  ///< reasons why other models have no results
 };
 
 /// Runs one model and measures its CPU time. Throws InputError that begins with the model's name.

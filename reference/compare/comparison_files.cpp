@@ -61,7 +61,7 @@ std::string comparison_csv(const Comparison& all) {
   std::string text = "model,quantity,unit,value,reason\n";
   for (const Answer& a : all.answers)
     for (std::size_t i = 0; i < quantity_count; ++i) {
-      const Saying& s = a.findings.says[i];
+      const QuantityResult& s = a.findings.says[i];
       const QuantityText& q = quantity_texts()[i];
       text +=
           fmt::format("{},{},{},{},{}\n", a.model->name, q.name, q.unit,
@@ -92,7 +92,7 @@ std::string comparison_json(const CompareCase& c, const Comparison& all) {
             {"units", units_of(quantity_texts())},
             {"part_units", units_of(part_quantity_texts())},
             {"models", Json::array()},
-            {"not_asked", all.not_asked}};
+            {"not_asked", all.excluded_models}};
   for (const Answer& a : all.answers)
     json["models"].push_back({{"name", a.model->name},
                               {"title", a.model->title},

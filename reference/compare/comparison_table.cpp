@@ -32,7 +32,7 @@ constexpr std::array table_columns{
     TableColumn{Quantity::torque_noise, "noise %", 100.0, "{:.2f}"},
 };
 
-std::string cell(const Saying& s, const TableColumn& column) {
+std::string cell(const QuantityResult& s, const TableColumn& column) {
   if (!s.value) return "-";
   return fmt::format(fmt::runtime(column.form), column.scale * *s.value);
 }

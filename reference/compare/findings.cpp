@@ -30,13 +30,14 @@ void say(Findings& f, Quantity q, double value) {
     saying(f, q) = {std::nullopt, "its number is not finite"};
 }
 
-void cannot_say(Findings& f, Quantity q, const std::string& reason) {
+void set_missing(Findings& f, Quantity q, const std::string& reason) {
   saying(f, q) = {std::nullopt, reason};
 }
 
-void cannot_say(Findings& f, const std::vector<Quantity>& quantities, const std::string& reason) {
+void set_missing(Findings& f, const std::vector<Quantity>& quantities, const std::string& reason) {
   for (const Quantity q : quantities)
-    if (const Saying& s = saying(f, q); !s.value && s.reason.empty()) cannot_say(f, q, reason);
+    if (const QuantityResult& s = saying(f, q); !s.value && s.reason.empty())
+      set_missing(f, q, reason);
 }
 
 Noise noise_of(const std::vector<double>& values, std::size_t steps_together) {
@@ -55,7 +56,7 @@ Noise noise_of(const std::vector<double>& values, std::size_t steps_together) {
   return {mean, mean == 0.0 ? 0.0 : std::sqrt(squares / n) / std::abs(mean)};
 }
 
-void say_loads(Findings& f, const LoadSeries& series, double advance) {
+void set_load_quantities(Findings& f, const LoadSeries& series, double advance) {
   const double weight = noise_of(series.weight, 1).mean;
   const Noise torque = noise_of(series.torque, 1);
   const auto together = static_cast<std::size_t>(std::lround(averaged / series.step));
@@ -66,15 +67,15 @@ void say_loads(Findings& f, const LoadSeries& series, double advance) {
   if (together >= 1)
     say(f, Quantity::torque_noise_5ms, noise_of(series.torque, together).share);
   else
-    cannot_say(f, Quantity::torque_noise_5ms, "its step is longer than 5 ms");
+    set_missing(f, Quantity::torque_noise_5ms, "its step is longer than 5 ms");
   f.series = series;
 }
 
-void say_steady_loads(Findings& f, double weight, double torque, double advance) {
+void set_steady_load_quantities(Findings& f, double weight, double torque, double advance) {
   say(f, Quantity::weight, weight);
   say(f, Quantity::torque, torque);
   say(f, Quantity::work_of_a_turn_torque, work_of_a_turn(weight, torque, advance));
-  cannot_say(
+  set_missing(
       f, {Quantity::torque_noise, Quantity::torque_noise_5ms, Quantity::torque_noise_by_crossing},
       "steady: one state for all times");
 }

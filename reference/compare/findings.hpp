@@ -10,7 +10,7 @@
 namespace tdbd::reference {
 
 /// A model's result for one quantity: either a value, or the reason why there is none.
-struct Saying {
+struct QuantityResult {
   std::optional<double> value;
   std::string reason;
 };
@@ -50,7 +50,7 @@ struct Cost {
 
 /// All results of a model for a case.
 struct Findings {
-  std::array<Saying, quantity_count> says;
+  std::array<QuantityResult, quantity_count> says;
   std::vector<PartFinding> parts;
   LoadSeries series;                   ///< empty if the model is steady
   std::optional<BottomCircle> bottom;  ///< empty if the model has no bottom
@@ -58,23 +58,25 @@ struct Findings {
   Cost cost;
 };
 
-inline Saying& saying(Findings& f, Quantity q) { return f.says[static_cast<std::size_t>(q)]; }
-inline const Saying& saying(const Findings& f, Quantity q) {
+inline QuantityResult& saying(Findings& f, Quantity q) {
+  return f.says[static_cast<std::size_t>(q)];
+}
+inline const QuantityResult& saying(const Findings& f, Quantity q) {
   return f.says[static_cast<std::size_t>(q)];
 }
 
 void say(Findings& f, Quantity q, double value);
-void cannot_say(Findings& f, Quantity q, const std::string& reason);
+void set_missing(Findings& f, Quantity q, const std::string& reason);
 
 /// Sets the reason for every quantity of the list that has neither value nor reason.
-void cannot_say(Findings& f, const std::vector<Quantity>& quantities, const std::string& reason);
+void set_missing(Findings& f, const std::vector<Quantity>& quantities, const std::string& reason);
 
 /// Sets weight, torque, the work per revolution and the noise of steps, from a series. `advance`: m
 /// per revolution.
-void say_loads(Findings& f, const LoadSeries& series, double advance);
+void set_load_quantities(Findings& f, const LoadSeries& series, double advance);
 
 /// Sets weight, torque and the work per revolution of a steady model, whose steps have no noise.
-void say_steady_loads(Findings& f, double weight, double torque, double advance);
+void set_steady_load_quantities(Findings& f, double weight, double torque, double advance);
 
 /// Mean of means over `steps_together` steps, and rms deviation from it over the mean.
 struct Noise {

@@ -61,7 +61,7 @@ void print(const Comparison& all, const std::filesystem::path& folder) {
   for (const Answer& answer : all.answers)
     for (const std::string& note : answer.findings.notes)
       fmt::print("{}: {}\n", answer.model->title, note);
-  for (const std::string& why : all.not_asked) fmt::print("not asked: {}\n", why);
+  for (const std::string& why : all.excluded_models) fmt::print("not asked: {}\n", why);
   fmt::print("-: the model cannot say it; why: comparison.csv\nresults in {}\n", folder.string());
 }
 

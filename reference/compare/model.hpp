@@ -12,7 +12,7 @@
 namespace tdbd::reference {
 
 /// The kinds of bits that a model can handle.
-enum class Knows { drag_bits, roller_bits, both };
+enum class SupportedBits { drag_bits, roller_bits, both };
 
 /// Input of a model.
 struct Question {
@@ -25,7 +25,7 @@ struct Model {
   std::string_view name;       ///< "warren-sinor"
   std::string_view title;      ///< "Warren and Sinor"
   std::string_view reference;  ///< its number in the references of the thesis
-  Knows knows = Knows::both;
+  SupportedBits knows = SupportedBits::both;
   Findings (*answer)(const Question&) = nullptr;
   Findings (*free)(const Question&) = nullptr;  ///< for a bit on a string; null: motion is input
   std::string_view own_law = {};                ///< law of faces besides "detournay"
@@ -35,7 +35,7 @@ struct Model {
 std::span<const Model> models();
 
 /// The reason why a model has no results for this bit; empty if it has results.
-std::string why_not(const Model& model, const CompareCase& c);
+std::string exclusion_reason(const Model& model, const CompareCase& c);
 
 /// The models in a list of names; "all": those that can handle the bit. Throws InputError for an
 /// unknown name, or for a model that cannot handle the bit, with its name and what it requires.

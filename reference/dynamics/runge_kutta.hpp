@@ -4,7 +4,6 @@
 
 #include "dynamics/gyrostat.hpp"
 #include "dynamics/loads.hpp"
-#include "dynamics/rotation_state.hpp"
 #include "reference/dynamics/ode.hpp"
 
 namespace tdbd::reference {

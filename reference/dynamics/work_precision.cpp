@@ -25,11 +25,12 @@ RungeKuttaRun fixed_steps(const dynamics::Gyrostat& g, const dynamics::Loads& lo
 }
 
 RungeKuttaRun run(const dynamics::Gyrostat& g, const dynamics::Loads& loads,
-                  const GyrostatState& start, double t_end, Rival rival, double accuracy) {
-  if (rival == Rival::rk4) return fixed_steps(g, loads, start, t_end, accuracy);
+                  const GyrostatState& start, double t_end, ComparisonMethod rival,
+                  double accuracy) {
+  if (rival == ComparisonMethod::rk4) return fixed_steps(g, loads, start, t_end, accuracy);
   if (!(accuracy > 0.0))
     throw InputError(fmt::format("found a tolerance of {}, expected a positive one", accuracy));
-  const OdeMethod method = rival == Rival::rk8pd ? OdeMethod::rk8pd : OdeMethod::rkf45;
+  const OdeMethod method = rival == ComparisonMethod::rk8pd ? OdeMethod::rk8pd : OdeMethod::rkf45;
   return runge_kutta(g, loads, start, t_end, method, {accuracy, accuracy});
 }
 
@@ -41,7 +42,8 @@ double angle_between(const Mat3& A, const Mat3& B) {
 }
 
 std::vector<WorkPrecision> work_precision(const dynamics::Gyrostat& g, const dynamics::Loads& loads,
-                                          const GyrostatState& start, double t_end, Rival rival,
+                                          const GyrostatState& start, double t_end,
+                                          ComparisonMethod rival,
                                           const std::vector<double>& accuracies) {
   if (!loads.samples.empty())
     throw InputError("found torque samples, expected loads without corners");

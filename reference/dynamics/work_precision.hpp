@@ -9,7 +9,7 @@ namespace tdbd::reference {
 
 /// Methods to compare with the program's step: GSL's adaptive methods, whose accuracy is the
 /// tolerance, and the classical method, whose accuracy is the number of equal steps.
-enum class Rival { rk8pd, rkf45, rk4 };
+enum class ComparisonMethod { rk8pd, rkf45, rk4 };
 
 struct WorkPrecision {
   double accuracy = 0.0;        ///< requested
@@ -25,7 +25,8 @@ double angle_between(const Mat3& A, const Mat3& B);
 /// allowed, because fixed steps would have to meet them. Throws RunError if a tolerance cannot be
 /// reached, and InputError if there are samples or if a number of steps is not a positive integer.
 std::vector<WorkPrecision> work_precision(const dynamics::Gyrostat& g, const dynamics::Loads& loads,
-                                          const GyrostatState& start, double t_end, Rival rival,
+                                          const GyrostatState& start, double t_end,
+                                          ComparisonMethod rival,
                                           const std::vector<double>& accuracies);
 
 }  // namespace tdbd::reference

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pose.hpp"
+#include "core/types.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace tdbd::reference {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/angles.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::reference {
 namespace {
@@ -55,8 +55,8 @@ double lag_of(double own, double other, bool is_itself) {
 }
 
 /// Empty if the other cutter removes nothing of this column.
-Left left_by(const RoundCutter& own, double at, const Rim& other, bool is_itself,
-             const std::vector<double>& marks) {
+Left remaining_rock_of(const RoundCutter& own, double at, const Rim& other, bool is_itself,
+                       const std::vector<double>& marks) {
   Left left;
   double highest = never;
   for (const double up : marks) {
@@ -118,7 +118,7 @@ Columns make_columns(std::vector<RoundCutter> cutters, int per_cutter, double sp
       column.chord = 2.0 * rim_radius(cutter, column.at) * std::cos(column.at);
       column.foot_B = rim_point(cutter, column.at, 0.0);
       for (std::size_t other = 0; other < rims.size(); ++other) {
-        Left left = left_by(cutter, column.at, rims[other], other == k, c.marks);
+        Left left = remaining_rock_of(cutter, column.at, rims[other], other == k, c.marks);
         if (!left.needed.empty()) column.left.push_back(std::move(left));
       }
       c.columns.back().push_back(std::move(column));

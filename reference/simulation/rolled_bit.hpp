@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/pose.hpp"
+#include "core/types.hpp"
 #include "reference/simulation/axial_bit.hpp"
 #include "reference/simulation/crushing_feet.hpp"
 

@@ -5,8 +5,8 @@
 #include <map>
 #include <sstream>
 
-#include "core/angles.hpp"
 #include "core/error.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::reference {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/pose.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::reference {
 

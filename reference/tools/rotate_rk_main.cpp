@@ -13,7 +13,7 @@
 namespace {
 
 using tdbd::InputError;
-using tdbd::reference::Rival;
+using tdbd::reference::ComparisonMethod;
 using tdbd::reference::WorkPrecision;
 using Json = nlohmann::ordered_json;
 
@@ -63,9 +63,10 @@ Arguments read_arguments(const std::vector<std::string>& words) {
   return a;
 }
 
-Rival rival(const std::string& name) {
-  const std::map<std::string, Rival> rivals{
-      {"rk8pd", Rival::rk8pd}, {"rkf45", Rival::rkf45}, {"rk4", Rival::rk4}};
+ComparisonMethod rival(const std::string& name) {
+  const std::map<std::string, ComparisonMethod> rivals{{"rk8pd", ComparisonMethod::rk8pd},
+                                                       {"rkf45", ComparisonMethod::rkf45},
+                                                       {"rk4", ComparisonMethod::rk4}};
   if (const auto found = rivals.find(name); found != rivals.end()) return found->second;
   throw InputError("found method '" + name + "', expected rk8pd, rkf45 or rk4");
 }

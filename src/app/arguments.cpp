@@ -4,7 +4,6 @@
 
 #include <cstdio>
 
-#include "app/print.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "simulation/result/run_loop.hpp"
@@ -57,7 +56,7 @@ int begin_or_resume(const ResultArguments& a, const std::function<int()>& begin,
     return begin();
   }
   if (!simulation::tidy_if_finished(a.resumed)) return resume();
-  if (!a.quiet) say("{}: the run is complete, nothing to do\n", a.resumed);
+  if (!a.quiet) print_out("{}: the run is complete, nothing to do\n", a.resumed);
   return 0;
 }
 

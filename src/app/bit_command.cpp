@@ -4,20 +4,15 @@
 #include <numbers>
 
 #include "app/arguments.hpp"
-#include "app/commands.hpp"
-#include "app/print.hpp"
+#include "app/terminal.hpp"
+#include "bit/bit.hpp"
 #include "bit/files/bit_export.hpp"
 #include "bit/files/bit_file.hpp"
 #include "bit/files/part_keys.hpp"
-#include "bit/mass_properties.hpp"
-#include "bit/report/area_report.hpp"
-#include "bit/report/assumption_report.hpp"
 #include "bit/report/bit_output.hpp"
 #include "bit/report/bit_report.hpp"
 #include "bit/report/body_report.hpp"
 #include "bit/report/cone_report.hpp"
-#include "bit/report/overlap_report.hpp"
-#include "bit/report/tracking_report.hpp"
 #include "core/error.hpp"
 #include "io/output_folder.hpp"
 #include "mesh/measures.hpp"
@@ -28,32 +23,33 @@ namespace {
 
 void print_table(const bit::Bit& b) {
   constexpr double deg = 180.0 / std::numbers::pi;
-  say("{}: {} cutters, {} parts, gage radius {:.3f} mm\n", b.name, b.cutters.size(), b.parts.size(),
-      1e3 * b.gage_radius);
-  say("{:>7} {:>5} {:>9} {:>9} {:>9} {:>9} {:>8} {:>6} {:>6} {:>8}\n", "cutter", "blade", "zone",
-      "r mm", "phi deg", "h mm", "prof deg", "back", "side", "dia mm");
+  print_out("{}: {} cutters, {} parts, gage radius {:.3f} mm\n", b.name, b.cutters.size(),
+            b.parts.size(), 1e3 * b.gage_radius);
+  print_out("{:>7} {:>5} {:>9} {:>9} {:>9} {:>9} {:>8} {:>6} {:>6} {:>8}\n", "cutter", "blade",
+            "zone", "r mm", "phi deg", "h mm", "prof deg", "back", "side", "dia mm");
   for (const bit::Cutter& c : b.cutters)
-    say("{:>7} {:>5} {:>9} {:>9.3f} {:>9.3f} {:>9.3f} {:>8.2f} {:>6.1f} {:>6.1f} {:>8.2f}\n", c.id,
-        c.blade, c.zone, 1e3 * c.tip_radius, deg * c.azimuth, 1e3 * c.tip_height,
-        deg * c.profile_angle, deg * c.back_rake, deg * c.side_rake, 1e3 * c.diameter);
+    print_out("{:>7} {:>5} {:>9} {:>9.3f} {:>9.3f} {:>9.3f} {:>8.2f} {:>6.1f} {:>6.1f} {:>8.2f}\n",
+              c.id, c.blade, c.zone, 1e3 * c.tip_radius, deg * c.azimuth, 1e3 * c.tip_height,
+              deg * c.profile_angle, deg * c.back_rake, deg * c.side_rake, 1e3 * c.diameter);
 }
 
 void print_parts(const bit::Bit& b) {
-  say("{:<24} {:>12} {:>6} {:>9} {:>12} {:>10}\n", "part", "kind", "cuts", "triangles",
-      "volume mm3", "mass g");
+  print_out("{:<24} {:>12} {:>6} {:>9} {:>12} {:>10}\n", "part", "kind", "cuts", "triangles",
+            "volume mm3", "mass g");
   for (const bit::Part& p : b.parts) {
     const double volume = mesh::enclosed_volume(p.mesh_P);
-    say("{:<24} {:>12} {:>6} {:>9} {:>12.3f} {:>10.3f}\n", p.name, bit::kind_name(p.kind),
-        bit::cutting_name(bit::cutting_in_the_end(p)), p.mesh_P.triangles.size(), 1e9 * volume,
-        1e3 * p.density * volume);
+    print_out("{:<24} {:>12} {:>6} {:>9} {:>12.3f} {:>10.3f}\n", p.name, bit::kind_name(p.kind),
+              bit::cutting_name(bit::final_cutting(p)), p.mesh_P.triangles.size(), 1e9 * volume,
+              1e3 * p.density * volume);
   }
 }
 
 void print_mass(const bit::Bit& b, const std::vector<std::string>& without_density) {
   if (!without_density.empty())
-    return say("mass unknown: no density for {}\n", bit::listed(without_density));
+    return print_out("mass unknown: no density for {}\n", bit::listed(without_density));
   const bit::MassProperties m = bit::mass_properties(b);
-  say("mass {:.2f} kg, centre of mass ({:.2f}, {:.2f}, {:.2f}) mm, inertia about it {:.5f} {:.5f} "
+  print_out(
+      "mass {:.2f} kg, centre of mass ({:.2f}, {:.2f}, {:.2f}) mm, inertia about it {:.5f} {:.5f} "
       "{:.5f} kg m2\n",
       m.mass, 1e3 * m.centre.x(), 1e3 * m.centre.y(), 1e3 * m.centre.z(), m.inertia(0, 0),
       m.inertia(1, 1), m.inertia(2, 2));
@@ -63,7 +59,7 @@ void print_bit(const bit::BitFile& read) {
   print_table(read.bit);
   print_parts(read.bit);
   print_mass(read.bit, read.without_density);
-  say("{}", bit::cones_text(read.bit));
+  print_out("{}", bit::cones_text(read.bit));
 }
 
 struct BitChoices {
@@ -90,11 +86,11 @@ int inspect_bit(const BitChoices& choices) {
   const bit::ConeOperation operation = bit::cone_operation(b, choices.cone_speeds, advance);
   if (!choices.quiet) {
     print_bit(read);
-    say("{}{}{}", bit::assumptions_text(b, bit_speed),
-        bit::overlaps_text(b, bit::cutter_overlaps(b)), bit::enclosed_text(b));
+    print_out("{}{}{}", bit::assumptions_text(b, bit_speed),
+              bit::overlaps_text(b, bit::cutter_overlaps(b)), bit::enclosed_text(b));
     if (choices.report)
-      say("{}{}{}", bit::areas_report(b), bit::tracking_text(b, operation),
-          bit::body_text(b, advance));
+      print_out("{}{}{}", bit::areas_report(b), bit::tracking_text(b, operation),
+                bit::body_text(b, advance));
   }
   if (choices.folder.empty()) {
     if (choices.report) throw InputError("--report: found no folder, expected one: -o FOLDER");

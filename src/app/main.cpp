@@ -10,28 +10,28 @@
 #include <utility>
 #include <vector>
 
-#include "app/commands.hpp"
-#include "app/first_words.hpp"
-#include "app/print.hpp"
+#include "app/arguments.hpp"
+#include "app/command_words.hpp"
+#include "app/terminal.hpp"
+#include "core/error.hpp"
 #include "core/provenance.hpp"
-#include "core/reason.hpp"
 
 namespace {
 
 /// Turns a closed pipe or a file size limit into failed writes, which are reported like other
 /// errors.
-void let_writes_fail() {
+void ignore_write_signals() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
 /// Reports failures that exceptions cannot propagate: in a destructor, or in a TBB thread that
 /// could not start another one.
-[[noreturn]] void end_without_catch() {
+[[noreturn]] void terminate_handler() {
   try {
     if (std::current_exception()) std::rethrow_exception(std::current_exception());
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "tdbd: %s\n", tdbd::reason_of(e));
+    std::fprintf(stderr, "tdbd: %s\n", tdbd::error_message_of(e));
     _exit(1);
   } catch (...) {
   }
@@ -47,19 +47,19 @@ std::string version_text() {
 
 /// Prints the help, the version or an error. Returns 0 after --help and --version, 2 for an invalid
 /// command line.
-int tell(const CLI::App& app, const CLI::ParseError& error) {
+int print_message(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);
   std::fprintf(stderr, "tdbd: %s\n", tdbd::app::mistake(error).c_str());
   return 2;
 }
 
 /// Parses the words and runs their command. CLI11 requires them in reverse order.
-int obey(CLI::App& app, int& exit_code, std::vector<std::string> words) {
-  if (const auto page = tdbd::app::page_asked_for(app, words)) {
+int dispatch(CLI::App& app, int& exit_code, std::vector<std::string> words) {
+  if (const auto page = tdbd::app::requested_page(app, words)) {
     tdbd::app::write_out(*page);
     return 0;
   }
-  words = tdbd::app::understood(app, std::move(words));
+  words = tdbd::app::parsed_words(app, std::move(words));
   if (words.empty()) {
     tdbd::app::write_out(tdbd::app::overview(app));
     return 0;
@@ -68,7 +68,7 @@ int obey(CLI::App& app, int& exit_code, std::vector<std::string> words) {
   try {
     app.parse(std::move(words));
   } catch (const CLI::ParseError& e) {
-    return tell(app, e);
+    return print_message(app, e);
   }
   return exit_code;
 }
@@ -77,8 +77,8 @@ int obey(CLI::App& app, int& exit_code, std::vector<std::string> words) {
 
 /// The command line. Exit codes: 0 success, 1 computation failed, 2 invalid input, 130 interrupted.
 int main(int argc, char** argv) {
-  let_writes_fail();
-  std::set_terminate(end_without_catch);
+  ignore_write_signals();
+  std::set_terminate(terminate_handler);
   CLI::App app{"TDBD: drill bits cutting rock, verification first", "tdbd"};
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
@@ -98,6 +98,6 @@ int main(int argc, char** argv) {
   tdbd::app::add_sweep(app, exit_code);
   tdbd::app::add_mesh(app, exit_code);
   const int code = tdbd::app::guarded(
-      [&] { return obey(app, exit_code, std::vector<std::string>(argv + 1, argv + argc)); });
+      [&] { return dispatch(app, exit_code, std::vector<std::string>(argv + 1, argv + argc)); });
   return tdbd::app::after_output(code);
 }

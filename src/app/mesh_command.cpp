@@ -4,13 +4,11 @@
 #include <filesystem>
 
 #include "app/arguments.hpp"
-#include "app/commands.hpp"
-#include "app/print.hpp"
+#include "app/terminal.hpp"
 #include "core/error.hpp"
-#include "core/wildcard.hpp"
+#include "core/text.hpp"
 #include "mesh/files/solids.hpp"
 #include "mesh/grade/grade.hpp"
-#include "mesh/repair/inspect.hpp"
 #include "mesh/repair/repair.hpp"
 #include "simulation/start/rock_stamp.hpp"
 
@@ -37,7 +35,8 @@ const char* yes_or_no(bool is) { return is ? "yes" : "no"; }
 void print_row(const Solid& solid) {
   const mesh::Inspection i = mesh::inspect(solid.mesh);
   const Vec3 size = 1e3 * i.box.size();
-  say("{:<24} {:>8} {:>8} {:>6} {:>6} {:>8} {:>8} {:>13.3f} {:>9.3f} {:>9.3f} {:>9.3f} {:>8.4f} "
+  print_out(
+      "{:<24} {:>8} {:>8} {:>6} {:>6} {:>8} {:>8} {:>13.3f} {:>9.3f} {:>9.3f} {:>9.3f} {:>8.4f} "
       "{:>8.4f} {:>8.4f} {:>7.4f} {:>5}\n",
       solid.name, i.vertices, i.facets, i.pieces, yes_or_no(i.is_closed()),
       yes_or_no(i.is_oriented()), yes_or_no(i.is_manifold()), 1e9 * i.volume, size.x(), size.y(),
@@ -46,7 +45,8 @@ void print_row(const Solid& solid) {
 }
 
 void print_table(const std::vector<Solid>& solids) {
-  say("{:<24} {:>8} {:>8} {:>6} {:>6} {:>8} {:>8} {:>13} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8} {:>7} "
+  print_out(
+      "{:<24} {:>8} {:>8} {:>6} {:>6} {:>8} {:>8} {:>13} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8} {:>7} "
       "{:>5}\n",
       "solid", "vertices", "facets", "pieces", "closed", "oriented", "manifold", "volume mm3",
       "box x mm", "y mm", "z mm", "edge mm", "mean", "longest", "quality", "cross");
@@ -65,7 +65,8 @@ void require_sound(const MeshChoices& choices, const std::vector<Solid>& solids)
 int inspect(const MeshChoices& choices, const std::vector<Solid>& solids) {
   print_table(solids);
   if (const auto stamp = simulation::read_stamp(choices.file))
-    say("the rock of a run after {} steps, t = {:.6g} s: a sheet, which bounds no volume; its file "
+    print_out(
+        "the rock of a run after {} steps, t = {:.6g} s: a sheet, which bounds no volume; its file "
         "is in metres\n",
         stamp->step, stamp->time);
   else
@@ -88,7 +89,7 @@ int repair(const MeshChoices& choices, std::vector<Solid> solids) {
   for (Solid& solid : solids) {
     mesh::Repaired r = mesh::repair(solid.mesh, options);
     for (const mesh::RepairStep& step : r.steps)
-      say("{}: {} {}\n", solid.name, step.count, step.what);
+      print_out("{}: {} {}\n", solid.name, step.count, step.what);
     if (!r.refusal.empty())
       refusals += fmt::format("{}{}: solid {}: cannot be repaired: {}",
                               refusals.empty() ? "" : "\n", choices.file, solid.name, r.refusal);
@@ -122,7 +123,8 @@ int grade(const MeshChoices& choices, std::vector<Solid> solids) {
     if (!fits(choices.only, solid.name)) continue;
     const std::size_t before = solid.mesh.triangles.size();
     mesh::Graded g = mesh::grade(solid.mesh, options);
-    say("{}: {} facets to {}, {} feature edges, surface moved by {:.3g} mm at most, volume "
+    print_out(
+        "{}: {} facets to {}, {} feature edges, surface moved by {:.3g} mm at most, volume "
         "changed by {:.3g} mm3\n",
         solid.name, before, g.mesh.triangles.size(), g.feature_edges, 1e3 * g.deviation,
         1e9 * g.volume_change);

@@ -1,15 +1,154 @@
 #pragma once
 
+#include <fmt/format.h>
+
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "bit/cone.hpp"
-#include "bit/part_kind.hpp"
-#include "core/pose.hpp"
+#include "core/types.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace tdbd::bit {
+
+/// The kind of a part. It selects data (name, colour, force law), not a class. Thesis: 3.1.
+enum class PartKind { face, chamfer, cse, cutter_body, gage_pad, bit_body, cone, tooth };
+
+/// Every kind, in the order of the enumeration.
+inline constexpr std::array part_kinds{
+    PartKind::face,     PartKind::chamfer,  PartKind::cse,  PartKind::cutter_body,
+    PartKind::gage_pad, PartKind::bit_body, PartKind::cone, PartKind::tooth};
+
+/// The name of a kind in words, for messages: "face", "cutter body", "gage pad", ... The other two
+/// spellings are derived from it.
+std::string_view kind_words(PartKind kind);
+
+/// A kind's name in results and bit files: "face", "cutter-body", "gage-pad", ...
+std::string kind_name(PartKind kind);
+
+/// A kind's key in a case: "face", "cutter_body", "gage_pad", ...
+std::string kind_key(PartKind kind);
+
+/// The names of all kinds (kind_name), and the kind with a given name; PartKind::face for an
+/// unknown name.
+std::vector<std::string_view> part_kind_names();
+PartKind part_kind_named(std::string_view name);
+
+/// Whether a part of this kind belongs to a cutter.
+constexpr bool belongs_to_a_cutter(PartKind kind) {
+  return kind == PartKind::face || kind == PartKind::chamfer || kind == PartKind::cse ||
+         kind == PartKind::cutter_body;
+}
+
+/// Whether a part of this kind is a surface of a cutter other than its face and chamfer.
+constexpr bool is_side_of_a_cutter(PartKind kind) {
+  return kind == PartKind::cse || kind == PartKind::cutter_body;
+}
+
+/// Whether a part removes rock. Thesis: 3.1. A part that rubs moves no rock, so rock may be inside
+/// it; the force law of its kind acts on the surface of that rock
+/// (rock/section/rubbing_contact.hpp). For the clearance of a bit body from the rock that the
+/// cutters leave, see body/rubbing.hpp.
+enum class Cutting { cuts, rubs, never };
+
+/// "yes", "rubs" or "no".
+std::string cutting_name(Cutting cutting);
+
+/// How a tooth is made. Milled teeth are cut from the cone's steel; inserts are pressed in.
+enum class ToothKind { milled_chisel, hemispherical, conical, chisel };
+
+/// The location of a row. The teeth of a gage row reach the gage radius during a turn of the cone.
+enum class RowPlace { inner, gage };
+
+/// One tooth, in its frame T: origin on the shell, Z out of the cone, X along the cone's meridian
+/// towards the base. Every kind is mirror-symmetric in X and in Y. Lengths in m, angles in rad.
+struct ToothShape {
+  ToothKind kind = ToothKind::hemispherical;
+  double diameter = 12e-3;     ///< of an insert's shank; of a milled tooth, length at the shell
+  double width = 8e-3;         ///< milled teeth only: in circumferential direction, at the shell
+  double protrusion = 6.5e-3;  ///< height of the tip above the shell
+  double crest_length = 6e-3;  ///< chisels only: along X
+  double crest_width = 2e-3;   ///< chisels only: along Y
+  double tip_radius = 4e-3;    ///< conical inserts only
+  double half_angle = 0.6;     ///< conical inserts only: of the cone
+  double embedding = 4e-3;     ///< depth below the shell
+  double density = 14.9e3;     ///< kg/m3
+};
+
+/// A ring of equal teeth around a cone.
+struct ToothRow {
+  double s = 0.0;              ///< m, position on the shell, as in ShellPoint
+  double sink = 0.0;           ///< m, depth of the teeth's origins below the shell
+  double lean = 0.0;           ///< rad, from the shell's normal towards the base
+  std::vector<double> angles;  ///< rad about the cone's Z, one per tooth, ascending, in [0, 2 pi)
+  RowPlace place = RowPlace::inner;
+  ToothShape shape;
+};
+
+/// A point of a cone's meridian: s along the journal, outwards (against the cone's Z); r is the
+/// distance from the journal's axis.
+struct ShellPoint {
+  double s = 0.0;  ///< m
+  double r = 0.0;  ///< m
+};
+
+/// The layout of a cone: its journal, its shell (a stack of frustums) and its rows of teeth. For
+/// the frames see cone_bit.hpp. Thesis: 1.2, 3.1, fig. 3.5.
+struct ConeLayout {
+  static constexpr double usual_density = 7850.0;  // kg/m3
+  static constexpr int usual_segments = 96, usual_facets = 16;
+
+  double journal_angle = 0.0;     ///< rad, of the journal below the plane normal to the bit's axis
+  double offset = 0.0;            ///< m, of the journal, in the direction of the bit's rotation
+  double skew = 0.0;              ///< rad, rotation of the journal's outer end, in that direction
+  double azimuth = 0.0;           ///< rad, of the journal about the bit's +z
+  double apex = 0.0;              ///< m, from the foot of the journal to the cone's origin, along Z
+  double foot_height = 0.0;       ///< m, of the journal's foot above the bit's origin (against z)
+  std::vector<ShellPoint> shell;  ///< in ascending s, from the nose to the base
+  std::vector<ToothRow> rows;     ///< from the nose to the base
+  Cutting body = Cutting::never;  ///< whether the shell crushes rock left between prints
+  double density = usual_density;  ///< kg/m3
+  int segments = usual_segments;   ///< of the shell's mesh
+  int facets = usual_facets;       ///< of an insert's mesh, a multiple of 4
+};
+
+/// A cone of a bit: its layout, and its frame K in the bit frame B at the cone's angle 0.
+struct Cone {
+  std::string name;  ///< "cone-1"
+  ConeLayout layout;
+  Pose X_BK;
+  /// Ratio of the speed of the rolling cone to that of the bit, for a cone of solids, which has no
+  /// rows. 0: unknown.
+  double rolling_ratio = 0.0;
+};
+
+/// The steel above the cones: a cylinder about the bit's axis that never cuts. In a bit without
+/// legs it also represents them. Lengths in m.
+struct Shank {
+  double radius = 0.0;  ///< 0: none
+  double length = 0.0;
+  double height = 0.0;  ///< height of its lower end above the bit's origin
+  double density = 7850.0;
+};
+
+/// The legs that carry the journals, one per cone (cone/legs.hpp), and the flush carbide inserts in
+/// their outer sides. Lengths in m; heights above the bit's origin.
+struct Legs {
+  double width = 0.0;          ///< across the journal; 0: none
+  double under_gage = 1.6e-3;  ///< distance of the outer side inside the gage radius
+  double clearance = 2e-3;     ///< distance from the base of the cone's shell to the leg
+  double tip_radius = 0.0;     ///< of the shirttail about the journal; 0: as the shell's base
+  double shoulder = 0.0;       ///< height at which the outer side leaves the gage
+  double top = 0.0;            ///< height at which it meets the shank's side
+  double density = 7850.0;     ///< kg/m3
+  Cutting cutting = Cutting::rubs;
+  int inserts = 0;  ///< number on each leg, in a column
+  double insert_diameter = 9.5e-3;
+  double insert_length = 8e-3;
+  double insert_protrusion = 0.5e-3;  ///< of the middle of an insert's flat face out of the leg
+};
 
 /// A straight segment between two points.
 struct Segment {
@@ -85,14 +224,14 @@ struct Cutter {
 };
 
 /// Design values of a body with blades (blade_body.hpp).
-struct BladeFigures {
+struct BladeDimensions {
   double exposure = 0.0;        ///< m
   double slot_depth = 0.0;      ///< m
   double junk_slot_area = 0.0;  ///< m2, across the gage
 };
 
 /// Source of the cutters' data: a table or a design, or the meshes of their parts.
-enum class CuttersFrom { table, meshes };
+enum class CutterSource { table, meshes };
 
 /// A bit: parts in the bit frame B. The origin of B is the nose tip on the axis; z points down, in
 /// the direction of drilling. For the centre of mass see mass_properties.
@@ -103,13 +242,13 @@ struct Bit {
   double gage_radius = 0.0;  ///< m, largest radius of a cutting part as its cone turns
   std::vector<Cone> cones;
   Shank shank;  ///< of a bit with cones
-  std::optional<BladeFigures> blades = std::nullopt;
-  CuttersFrom cutters_from = CuttersFrom::table;
+  std::optional<BladeDimensions> blades = std::nullopt;
+  CutterSource cutter_source = CutterSource::table;
   Legs legs = {};  ///< of a bit with cones
 };
 
 /// What a part does to rock after its start.
-inline Cutting cutting_in_the_end(const Part& part) {
+inline Cutting final_cutting(const Part& part) {
   return part.start ? part.start->then : part.cutting;
 }
 
@@ -119,5 +258,35 @@ mesh::TriangleMesh mesh_B(const Part& part);
 /// Largest distance (m) from the bit's axis of a vertex of a cutting part, with the cones in their
 /// present position. 0 if no part cuts.
 double largest_radius(const std::vector<Part>& parts);
+
+/// Mass, centre of mass and inertia tensor of a solid, in one frame. The tensor is about the centre
+/// of mass, along the axes of that frame.
+struct MassProperties {
+  double mass = 0.0;            ///< kg
+  Vec3 centre = Vec3::Zero();   ///< m
+  Mat3 inertia = Mat3::Zero();  ///< kg m2
+};
+
+/// Computes the mass properties of the solid inside a closed mesh, in the mesh's frame, by exact
+/// integration over signed tetrahedra. `density` in kg/m3. Requires outward normals and a nonzero
+/// volume. Not in the thesis.
+MassProperties mass_properties(const mesh::TriangleMesh& m, double density);
+
+/// The same body in frame A.
+MassProperties transformed(const MassProperties& body_P, const Pose& X_AP);
+
+/// The mass properties of two bodies in one frame taken together, by the parallel-axis theorem. A
+/// massless body has no effect.
+MassProperties combined(const MassProperties& a, const MassProperties& b);
+
+/// The mass properties of a bit, in the bit frame: the sum over its parts with density > 0.
+/// Overlaps count twice.
+MassProperties mass_properties(const Bit& bit);
+
+/// Formats a length in m for messages: "12.5 mm".
+inline std::string mm_text(double x) { return fmt::format("{:.6g} mm", 1e3 * x); }
+
+/// Formats an angle in rad for messages: "20 deg".
+inline std::string degree_text(double x) { return fmt::format("{:.6g} deg", x / degree); }
 
 }  // namespace tdbd::bit

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/angles.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::bit {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pose.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::bit {
 

@@ -15,7 +15,7 @@ inline bool has_memory(std::size_t bytes) noexcept {
 
 /// Throws std::bad_alloc if the process cannot allocate `bytes`. Call it before library functions
 /// that crash when memory runs out.
-inline void demand_memory(std::size_t bytes) {
+inline void require_allocatable(std::size_t bytes) {
   if (!has_memory(bytes)) throw std::bad_alloc();
 }
 

@@ -37,12 +37,12 @@ std::vector<double> floors_of(std::size_t size, double scale, std::span<const lo
 }
 
 /// The part of a run in which the local orders are close to the finest one.
-Run settled_part(std::span<const double> steps, std::span<const double> errors, Run run) {
+Run asymptotic_part(std::span<const double> steps, std::span<const double> errors, Run run) {
   if (run.size() < 2) return run;
   const double finest = local_order(steps, errors, run.last - 2);
   std::size_t first = run.last - 2;
   while (first > run.first && std::abs(local_order(steps, errors, first - 1) - finest) <=
-                                  order_settled * std::abs(finest))
+                                  order_scatter_limit * std::abs(finest))
     --first;
   return {first, run.last};
 }
@@ -89,7 +89,7 @@ ObservedOrder observed_order(std::span<const double> steps, std::span<const doub
   if (above.size() >= 2)
     o.order_of_all = least_squares_order(steps.subspan(above.first, above.size()),
                                          errors.subspan(above.first, above.size()));
-  const Run range = settled_part(steps, errors, above);
+  const Run range = asymptotic_part(steps, errors, above);
   o.first = static_cast<int>(range.first);
   o.used = static_cast<int>(range.size());
   if (o.above_floor < order_least_errors) return o;

@@ -40,7 +40,7 @@ inline constexpr double order_exact = 0.1;
 
 /// The asymptotic range is the longest run of errors that ends at the finest error above the floor
 /// and in which the local orders differ from the finest order by at most this fraction of it.
-inline constexpr double order_settled = 0.05;
+inline constexpr double order_scatter_limit = 0.05;
 
 /// Smallest number of errors that determines an order.
 inline constexpr int order_least_errors = 3;

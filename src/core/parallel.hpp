@@ -33,8 +33,8 @@ class ThreadLimit {
 
 /// Buffers of parallel loops, reused between loops; local() is the buffer of the calling thread.
 /// Results must not depend on their previous content.
-template <class Room>
-using PerThread = tbb::enumerable_thread_specific<Room>;
+template <class Scratch>
+using PerThread = tbb::enumerable_thread_specific<Scratch>;
 
 /// Calls body(i) for 0 <= i < n, in any order, on as many threads as ThreadLimit permits. The
 /// result is deterministic if each call writes only to the data of its own i.

@@ -9,35 +9,34 @@
 #include <system_error>
 
 #include "core/error.hpp"
-#include "core/reason.hpp"
 
 namespace tdbd {
 namespace {
 
-[[noreturn]] void refuse_file(const std::filesystem::path& path, std::string_view found,
+[[noreturn]] void reject_file(const std::filesystem::path& path, std::string_view found,
                               std::string_view expected) {
   throw InputError(fmt::format("{}: found {}, expected {}", path.string(), found, expected));
 }
 
 }  // namespace
 
-void demand_file(const std::filesystem::path& path, std::string_view expected) {
+void require_readable_file(const std::filesystem::path& path, std::string_view expected) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) refuse_file(path, "no such file", expected);
-  if (!fs::status_known(status)) refuse_file(path, error.message(), expected);
-  if (fs::is_directory(status)) refuse_file(path, "a folder", expected);
-  if (!fs::is_regular_file(status)) refuse_file(path, "no regular file", expected);
+  if (status.type() == fs::file_type::not_found) reject_file(path, "no such file", expected);
+  if (!fs::status_known(status)) reject_file(path, error.message(), expected);
+  if (fs::is_directory(status)) reject_file(path, "a folder", expected);
+  if (!fs::is_regular_file(status)) reject_file(path, "no regular file", expected);
   if (std::ifstream(path)) return;
-  if (is_shortage({errno, std::generic_category()}))
+  if (is_resource_error({errno, std::generic_category()}))
     throw RunError(fmt::format("{}: cannot open: {}", path.string(), std::strerror(errno)));
-  refuse_file(path, fmt::format("a file that cannot be opened ({})", std::strerror(errno)),
+  reject_file(path, fmt::format("a file that cannot be opened ({})", std::strerror(errno)),
               expected);
 }
 
 std::string read_file(const std::filesystem::path& path, std::string_view expected) {
-  demand_file(path, expected);
+  require_readable_file(path, expected);
   std::ifstream in(path, std::ios::binary);
   std::string bytes;
   std::error_code unknown;
@@ -46,7 +45,7 @@ std::string read_file(const std::filesystem::path& path, std::string_view expect
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(in.gcount()));
   if (in) bytes.append(std::istreambuf_iterator<char>(in), {});  // it grew, or its size is unknown
-  if (in.bad()) refuse_file(path, "a file that cannot be read", expected);
+  if (in.bad()) reject_file(path, "a file that cannot be read", expected);
   return bytes;
 }
 

@@ -9,9 +9,9 @@ namespace tdbd {
 /// Checks that `path` is a regular file (or a link to one) that can be opened. Otherwise throws
 /// InputError "PATH: found F, expected E". Pipes and devices are rejected without being opened,
 /// because they may never end. `expected` describes the file: "a TOML file".
-void demand_file(const std::filesystem::path& path, std::string_view expected);
+void require_readable_file(const std::filesystem::path& path, std::string_view expected);
 
-/// Reads all bytes of a file. Throws InputError like demand_file, and if reading fails.
+/// Reads all bytes of a file. Throws InputError like require_readable_file, and if reading fails.
 std::string read_file(const std::filesystem::path& path, std::string_view expected);
 
 }  // namespace tdbd

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace tdbd {
 
@@ -10,6 +14,39 @@ constexpr std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// Levenshtein distance: the smallest number of insertions, deletions and replacements of
+/// characters.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// Returns the most likely correction of a misspelt name: the closest of `names` (the first of
+/// equally close ones). Returns nothing if more than a third of the longer name differs.
+std::optional<std::string> nearest_name(std::string_view name,
+                                        const std::vector<std::string>& names);
+
+/// Whether a name matches a pattern in which * matches any text and ? any character. Takes at most
+/// pattern.size() times name.size() comparisons: if the rest does not match, only the text matched
+/// by the last * is extended by one character, never that of an earlier one.
+constexpr bool fits(std::string_view pattern, std::string_view name) {
+  constexpr std::size_t none = std::string_view::npos;
+  std::size_t p = 0, n = 0, star = none, covered = 0;
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      covered = n;
+    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+      ++p;
+      ++n;
+    } else if (star != none) {
+      p = star + 1;
+      n = ++covered;
+    } else {
+      return false;
+    }
+  }
+  while (p < pattern.size() && pattern[p] == '*') ++p;
+  return p == pattern.size();
 }
 
 }  // namespace tdbd

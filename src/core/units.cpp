@@ -76,7 +76,7 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 
 /// Whether the unit contains a number other than an exponent ("m2", "s-1", "m^3") or the 1 of
 /// "1/s". UDUNITS-2 would multiply by it: "8 1/2 in" would be 8 times half an inch.
-bool has_second_number(std::string_view unit) {
+bool contains_further_number(std::string_view unit) {
   if (unit.size() > 2 && unit.substr(0, 2) == "1/" && is_letter(unit[2])) unit.remove_prefix(1);
   for (std::size_t i = 0; i < unit.size(); ++i) {
     if (!is_digit(unit[i]) || (i > 0 && is_digit(unit[i - 1]))) continue;
@@ -88,7 +88,7 @@ bool has_second_number(std::string_view unit) {
 }
 
 /// Parses a unit that the program itself requires.
-std::unique_ptr<Unit> wanted_unit(const std::string& si_unit) {
+std::unique_ptr<Unit> requested_unit(const std::string& si_unit) {
   std::unique_ptr<Unit> unit = find_unit(si_unit);
   if (!unit) throw RunError(fmt::format("units: {} is not a unit", si_unit));
   return unit;
@@ -110,7 +110,7 @@ std::pair<double, std::string> split(std::string_view text, const std::string& s
   if (!std::isfinite(number)) throw refused(text, "is not finite", si_unit);
   const std::string name(trimmed(body.substr(static_cast<std::size_t>(rest - body.data()))));
   if (name.empty() && si_unit != "1") throw refused(text, "has no unit", si_unit);
-  if (has_second_number(name))
+  if (contains_further_number(name))
     throw refused(text, "has a second number in place of a unit", si_unit);
   return {number, name.empty() ? "1" : name};
 }
@@ -124,11 +124,11 @@ UnitError::UnitError(const std::string& found_text, const std::string& expected_
 
 std::string describe_unit(const std::string& si_unit) {
   if (si_unit == "1") return dimension_names.front().second;
-  return fmt::format("{} in {}", dimension_of(*wanted_unit(si_unit)), si_unit);
+  return fmt::format("{} in {}", dimension_of(*requested_unit(si_unit)), si_unit);
 }
 
 double to_si(std::string_view text, const std::string& si_unit) {
-  const std::unique_ptr<Unit> target = wanted_unit(si_unit);
+  const std::unique_ptr<Unit> target = requested_unit(si_unit);
   const auto [number, name] = split(text, si_unit);
   const std::unique_ptr<Unit> unit = find_unit(name);
   if (!unit) throw refused(text, fmt::format("unknown unit {}", name), si_unit);

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/tolerance.hpp"
+#include "rotation/quaternion.hpp"
 
 namespace tdbd::dynamics {
 namespace {
@@ -21,7 +22,7 @@ void principal_frame(const Mat3& A, Vec3& values, Mat3& axes) {
 
 /// Makes principal values equal if they differ only by rounding. The drifts of a symmetric body are
 /// shorter, and exact in cases where those of a nearly symmetric body are not.
-void join_equal(Vec3& ascending) {
+void equalize_principal_values(Vec3& ascending) {
   const double rounding = tolerance::equal_inertia * ascending[2];
   if (ascending[1] - ascending[0] <= rounding) ascending[0] = ascending[1];
   if (ascending[2] - ascending[1] <= rounding) ascending[2] = ascending[1];
@@ -37,7 +38,7 @@ std::string values_text(const Vec3& v) {
 
 /// The largest principal inertia of a body is at most the sum of the others, with equality for a
 /// flat body.
-bool breaks_triangle_inequality(const Vec3& ascending) {
+bool violates_triangle_inequality(const Vec3& ascending) {
   return ascending[2] > (ascending[0] + ascending[1]) * (1.0 + tolerance::inertia);
 }
 
@@ -70,7 +71,7 @@ Mat3 carrier_inertia(const Mat3& I, const std::vector<Cone>& cones) {
 
 /// Inertia of the body without the cones, each taken as flat as possible: a cone has at least half
 /// its axial inertia about every transverse axis.
-Mat3 body_share(const Mat3& It, const std::vector<Cone>& cones) {
+Mat3 body_inertia_share(const Mat3& It, const std::vector<Cone>& cones) {
   Mat3 rest = It;
   for (const Cone& c : cones) {
     const Vec3 s = c.axis_B.normalized();
@@ -81,12 +82,12 @@ Mat3 body_share(const Mat3& It, const std::vector<Cone>& cones) {
 
 std::string body_problem(const Mat3& I, const std::vector<Cone>& cones) {
   const Vec3 whole = principal_values(I);
-  if (breaks_triangle_inequality(whole))
+  if (violates_triangle_inequality(whole))
     return "an inertia that violates the triangle inequality: " + values_text(whole);
-  const Vec3 share = principal_values(body_share(carrier_inertia(I, cones), cones));
+  const Vec3 share = principal_values(body_inertia_share(carrier_inertia(I, cones), cones));
   if (share[0] < -tolerance::inertia * whole[2])
     return "cones with more inertia than the whole permits: without them " + values_text(share);
-  if (breaks_triangle_inequality(share))
+  if (violates_triangle_inequality(share))
     return "cones whose removal leaves an inertia that violates the triangle inequality: " +
            values_text(share);
   return "";
@@ -116,9 +117,25 @@ Gyrostat make_gyrostat(const Mat3& inertia_B, std::vector<Cone> cones, InertiaCh
   for (Cone& c : g.cones) c.axis_B.normalize();
   g.carrier_inverse_B = g.carrier_B.inverse();
   principal_frame(g.carrier_B, g.principal, g.principal_axes_B);
-  join_equal(g.principal);
+  equalize_principal_values(g.principal);
   g.principal_rates = g.principal.cwiseInverse();
   return g;
+}
+
+RotationState make_state(const Gyrostat& g, const Mat3& R_WB, const Vec3& w_B,
+                         std::span<const double> spins, std::span<const double> angles) {
+  RotationState s;
+  s.q_WB = Eigen::Quaterniond(R_WB).normalized();
+  rotation::renormalise(s.q_WB);
+  Vec3 momentum_B = g.carrier_B * w_B;
+  for (std::size_t k = 0; k < g.cones.size(); ++k) {
+    const Cone& cone = g.cones[k];
+    s.cone_angles.push_back(angles[k]);
+    s.cone_momenta.push_back(cone.axial_inertia * (spins[k] + cone.axis_B.dot(w_B)));
+    momentum_B += s.cone_momenta[k] * cone.axis_B;
+  }
+  s.momentum_W = s.q_WB * momentum_B;
+  return s;
 }
 
 }  // namespace tdbd::dynamics

@@ -1,19 +1,16 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "forces/laws/depth_of_cut.hpp"
-#include "forces/laws/detournay.hpp"
-#include "forces/laws/friction.hpp"
-#include "forces/laws/glowka.hpp"
+#include "forces/laws/contact_laws.hpp"
+#include "forces/laws/cutter_laws.hpp"
 #include "forces/laws/hanson_hansen.hpp"
-#include "forces/laws/indentation.hpp"
-#include "forces/laws/no_force.hpp"
-#include "forces/laws/thin_cut.hpp"
+#include "forces/rock/rock_material.hpp"
 
 namespace tdbd::forces {
 
@@ -70,5 +67,19 @@ bool knows(const Law& law, bit::PartKind kind);
 /// Why a law cannot be used for a part of this kind, with the kinds it applies to; empty if it can.
 /// `diameter` is that of the part's cutter, m, or 0 if there is none.
 std::string law_problem(const Law& law, bit::PartKind kind, double diameter);
+
+/// Coefficients of a law from the literature, for one rock and one tool.
+struct Fit {
+  std::string_view name;  ///< for example "glowka-berea-0.5in"
+  Law law;
+  Evidence evidence = Evidence::assumed;
+  std::string_view source;
+};
+
+/// All fits. They are for atmospheric pressure unless the source states otherwise.
+std::span<const Fit> known_fits();
+
+/// The fit with this name. Throws InputError with the list of names if there is none.
+const Fit& fit_named(std::string_view name);
 
 }  // namespace tdbd::forces

@@ -9,7 +9,6 @@
 
 #include "core/error.hpp"
 #include "core/provenance.hpp"
-#include "core/reason.hpp"
 #include "io/whole_file.hpp"
 
 namespace tdbd {
@@ -88,7 +87,7 @@ void CheckpointKeeper::attempt(Do&& act) {
   } catch (const std::exception& e) {
     if (!has_failed_ && warn_)
       warn_(fmt::format("{}; the run continues and can be resumed from its last good checkpoint",
-                        reason_of(e)));
+                        error_message_of(e)));
     has_failed_ = true;
   }
 }

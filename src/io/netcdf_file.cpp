@@ -40,7 +40,7 @@ static_assert(NetcdfFile::global == NC_GLOBAL);
 
 }  // namespace
 
-PlainPath::PlainPath(const std::filesystem::path& file) : name_(file.string()) {
+DescriptorPath::DescriptorPath(const std::filesystem::path& file) : name_(file.string()) {
   const std::filesystem::path parent = file.parent_path();
   folder_ = open(parent.empty() ? "." : parent.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
   if (folder_ < 0) return;
@@ -50,17 +50,17 @@ PlainPath::PlainPath(const std::filesystem::path& file) : name_(file.string()) {
     name_ = fmt::format("{}/{}", folder, file.filename().string());
 }
 
-PlainPath::~PlainPath() {
+DescriptorPath::~DescriptorPath() {
   if (folder_ >= 0) close(folder_);
 }
 
 NetcdfFile::NetcdfFile(std::filesystem::path path, Use use, std::size_t memory)
     : path_(std::move(path)), use_(use), memory_(memory) {
   const NetcdfLock lock(netcdf_mutex());
-  demand_memory(memory_);
+  require_allocatable(memory_);
   H5dont_atexit();  // HDF5 would access unclosed files again at exit, and crash
   errno = 0;
-  const PlainPath plain(path_);
+  const DescriptorPath plain(path_);
   require(use_ == Use::create ? nc_create(plain.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_)
                               : nc_open(plain.c_str(), NC_NOWRITE, &id_));
 }
@@ -161,7 +161,7 @@ void NetcdfFile::put(int variable, const std::vector<std::string>& texts) {
 void NetcdfFile::put_rows(int variable, std::size_t first, std::size_t count, std::size_t width,
                           const std::vector<double>& values) {
   const NetcdfLock lock(netcdf_mutex());
-  demand_memory(memory_);
+  require_allocatable(memory_);
   errno = 0;
   const std::size_t start[2] = {first, 0}, counts[2] = {count, width};
   require(nc_put_vara_double(id_, variable, start, counts, values.data()));
@@ -228,9 +228,9 @@ void NetcdfFile::close() {
   const NetcdfLock lock(netcdf_mutex());
   errno = 0;
   if (use_ == Use::read) return require(nc_close(id));
-  demand_memory(memory_);
+  require_allocatable(memory_);
   require(nc_sync(id));
-  put_on_disk(path_);  // the library crashes if a close fails, so nothing may be left to write
+  flush_to_disk(path_);  // the library crashes if a close fails, so nothing may be left to write
   require(nc_close(id));
 }
 

@@ -20,12 +20,12 @@ using NetcdfLock = std::lock_guard<std::recursive_mutex>;
 /// Another name of a file, through the descriptor of its open folder: "/proc/self/fd/7/history.nc".
 /// It is needed because NetCDF interprets blanks, backslashes and colons in the names of folders.
 /// The name is valid as long as the object. On systems without such names it is the path itself.
-class PlainPath {
+class DescriptorPath {
  public:
-  explicit PlainPath(const std::filesystem::path& file);
-  ~PlainPath();
-  PlainPath(const PlainPath&) = delete;
-  PlainPath& operator=(const PlainPath&) = delete;
+  explicit DescriptorPath(const std::filesystem::path& file);
+  ~DescriptorPath();
+  DescriptorPath(const DescriptorPath&) = delete;
+  DescriptorPath& operator=(const DescriptorPath&) = delete;
 
   const char* c_str() const { return name_.c_str(); }
 

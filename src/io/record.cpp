@@ -159,7 +159,7 @@ struct Record::Files {
   std::filesystem::path path;
   RecordLayout layout;
   RowsOfNetcdf netcdf;
-  std::optional<WholeFile> csv;
+  std::optional<AtomicFile> csv;
 };
 
 Record::Record(const std::filesystem::path& path, const RecordLayout& layout, CsvBeside csv)

@@ -45,7 +45,7 @@ void rename_partial(const std::filesystem::path& path) {
   if (error) fail_to_write(path, error.message());
 }
 
-void put_on_disk(const std::filesystem::path& path) {
+void flush_to_disk(const std::filesystem::path& path) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) fail_to_write(path, std::strerror(errno));
   const int not_synced = fsync(file) == 0 ? 0 : errno;
@@ -53,34 +53,34 @@ void put_on_disk(const std::filesystem::path& path) {
     fail_to_write(path, std::strerror(not_synced != 0 ? not_synced : errno));
 }
 
-WholeFile::WholeFile(std::filesystem::path path)
+AtomicFile::AtomicFile(std::filesystem::path path)
     : path_(std::move(path)), partial_(partial_path(path_)) {
   stream_.open(partial_, std::ios::binary | std::ios::trunc);
   if (!stream_) fail_to_write(path_, std::strerror(errno));
 }
 
 /// Allocates nothing, because it may run after an allocation failed.
-WholeFile::~WholeFile() {
+AtomicFile::~AtomicFile() {
   if (committed_) return;
   std::error_code ignored;
   std::filesystem::remove(partial_, ignored);
 }
 
-void WholeFile::close() {
+void AtomicFile::close() {
   if (!stream_.is_open()) return;
   errno = 0;
   stream_.close();
   if (!stream_) fail_to_write(path_, errno != 0 ? std::strerror(errno) : "a write failed");
 }
 
-void WholeFile::commit() {
+void AtomicFile::commit() {
   close();
   rename_partial(path_);
   committed_ = true;
 }
 
 void write_text(const std::filesystem::path& path, const std::string& text) {
-  WholeFile file(path);
+  AtomicFile file(path);
   errno = 0;
   file.stream() << text;  // written immediately if it is longer than the buffer of the stream
   if (!file.stream()) fail_to_write(path, errno != 0 ? std::strerror(errno) : "a write failed");
@@ -97,14 +97,14 @@ void seal_file(const std::filesystem::path& path) {
 void require_seal(const std::filesystem::path& path) { read_sealed(path); }
 
 void write_sealed(const std::filesystem::path& path, const std::string& bytes) {
-  WholeFile file(path);
+  AtomicFile file(path);
   errno = 0;
   file.stream() << bytes << seal_of(bytes);
   if (!file.stream()) fail_to_write(path, errno != 0 ? std::strerror(errno) : "a write failed");
   file.close();
-  put_on_disk(partial_path(path));
+  flush_to_disk(partial_path(path));
   file.commit();
-  put_on_disk(path.parent_path().empty() ? "." : path.parent_path());
+  flush_to_disk(path.parent_path().empty() ? "." : path.parent_path());
 }
 
 std::string read_sealed(const std::filesystem::path& path) {

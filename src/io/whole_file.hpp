@@ -14,18 +14,18 @@ void rename_partial(const std::filesystem::path& path);
 
 /// Forces a file, or the entries of a folder, to the disk. Throws RunError with the error of any
 /// write since it was opened.
-void put_on_disk(const std::filesystem::path& path);
+void flush_to_disk(const std::filesystem::path& path);
 
 /// A file that is written completely or not at all: bytes are written to `path.partial`, which
 /// commit() renames to `path`. Without commit() no file is left, and an older file at `path` is
 /// unchanged.
-class WholeFile {
+class AtomicFile {
  public:
   /// Throws RunError if the file cannot be created.
-  explicit WholeFile(std::filesystem::path path);
-  ~WholeFile();
-  WholeFile(const WholeFile&) = delete;
-  WholeFile& operator=(const WholeFile&) = delete;
+  explicit AtomicFile(std::filesystem::path path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
 
   std::ostream& stream() { return stream_; }
 

@@ -1,6 +1,8 @@
 #include "mesh/edit.hpp"
 
+#include <algorithm>
 #include <initializer_list>
+#include <numeric>
 
 namespace tdbd::mesh {
 namespace {
@@ -117,7 +119,7 @@ int odd_corner(const Surface& s, int t) {
 
 /// Detaches the triangle of corner c along the edge that c faces. The ends of that edge then refer
 /// to corners of the triangle beyond.
-void cut_loose(Surface& s, int c) {
+void detach_triangle(Surface& s, int c) {
   const int o = s.opposite_of(c);
   if (o < 0) return;
   link(s, o, -1);
@@ -204,7 +206,7 @@ int remove_triangle(Surface& s, int t) {
   const int apex = s.vertex(c);
   const Triangle corners = s.triangles[at(t)];
   const bool is_ear = s.opposite_of(c) >= 0;
-  for (int k = 3 * t; k < 3 * t + 3; ++k) cut_loose(s, k);
+  for (int k = 3 * t; k < 3 * t + 3; ++k) detach_triangle(s, k);
   free_triangle(s, t);
   s.boundary[at(apex)] = is_ear ? 0 : 1;
   if (is_ear) {
@@ -213,6 +215,108 @@ int remove_triangle(Surface& s, int t) {
   }
   refresh({corners[0], corners[1], corners[2]}, s);
   return is_ear ? apex : -1;
+}
+
+namespace {
+
+void number_vertices(const Surface& s, const std::vector<int>& order, std::vector<int>& number) {
+  number.assign(s.stars.size(), -1);
+  for (std::size_t i = 0; i < order.size(); ++i) number[at(order[i])] = static_cast<int>(i);
+}
+
+/// The corner of triangle t at the vertex with the smallest new number.
+int least_corner(const Surface& s, int t, const std::vector<int>& number) {
+  const auto& [a, b, c] = s.triangles[at(t)];
+  const int na = number[at(a)], nb = number[at(b)], nc = number[at(c)];
+  if (na < nb) return 3 * t + (na < nc ? 0 : 2);
+  return 3 * t + (nb < nc ? 1 : 2);
+}
+
+/// Counting sort of the triangles by their smallest vertex. Triangles with the same smallest vertex
+/// are sorted by the vertex that follows it.
+void order_triangles(const Surface& s, std::size_t vertices, RenumberScratch& scratch) {
+  const auto number_at = [&](int c) { return scratch.number[at(s.vertex(c))]; };
+  const auto visit = [&](auto&& act) {
+    for (int t = 0; t < s.triangle_slots(); ++t)
+      if (s.triangle_is_alive(t)) act(least_corner(s, t, scratch.number));
+  };
+  std::vector<int>& ends = scratch.ends;  // counts, then starts, then ends
+  ends.assign(vertices, 0);
+  visit([&](int c) { ++ends[at(number_at(c))]; });
+  std::exclusive_scan(ends.begin(), ends.end(), ends.begin(), 0);
+  scratch.first_corners.resize(at(s.triangle_count()));
+  visit([&](int c) { scratch.first_corners[at(ends[at(number_at(c))]++)] = c; });
+  auto first = scratch.first_corners.begin();
+  for (const int end : ends) {
+    const auto last = scratch.first_corners.begin() + end;
+    if (last - first > 1)
+      std::sort(first, last, [&](int c, int d) {
+        return number_at(next_corner(c)) < number_at(next_corner(d));
+      });
+    first = last;
+  }
+}
+
+/// Replaces the neighbours by their new numbers. A closed ring starts with its smallest.
+void renumber_ring(Surface& s, VertexStar& star, const std::vector<int>& number) {
+  int* ring = star.long_ring < 0 ? star.ring.data() : s.long_rings[at(star.long_ring)].data();
+  int* end = ring + star.size;
+  for (int* w = ring; w != end; ++w) *w = number[at(*w)];
+  if (star.open == 0) std::rotate(ring, std::min_element(ring, end), end);
+}
+
+void renumber_stars(Surface& s, const std::vector<int>& order, RenumberScratch& scratch) {
+  take_in_order(order, s.stars, scratch.stars);
+  for (VertexStar& star : s.stars) renumber_ring(s, star, scratch.number);
+}
+
+void renumber_triangles(Surface& s, RenumberScratch& scratch) {
+  scratch.triangles.reserve(s.triangles.capacity());
+  scratch.triangles.clear();
+  scratch.corner_number.resize(s.opposite.size());
+  int new_corner = 0;
+  for (const int c : scratch.first_corners) {
+    Triangle t{};
+    int old = c;
+    for (int& v : t) {
+      v = scratch.number[at(s.vertex(old))];
+      scratch.corner_number[at(old)] = new_corner++;
+      old = next_corner(old);
+    }
+    scratch.triangles.push_back(t);
+  }
+  s.triangles.swap(scratch.triangles);
+}
+
+/// Requires triangles that are already renumbered.
+void renumber_opposites(Surface& s, RenumberScratch& scratch) {
+  scratch.corners.reserve(s.opposite.capacity());
+  scratch.corners.clear();
+  for (int c : scratch.first_corners)
+    for (int i = 0; i < 3; ++i, c = next_corner(c)) {
+      const int o = s.opposite_of(c);
+      scratch.corners.push_back(o < 0 ? -1 : scratch.corner_number[at(o)]);
+    }
+  s.opposite.swap(scratch.corners);
+}
+
+void reset_first_corners(Surface& s) {
+  s.corner_of.resize(s.stars.size());
+  for (int c = 3 * s.triangle_slots() - 1; c >= 0; --c) s.corner_of[at(s.vertex(c))] = c;
+}
+
+}  // namespace
+
+void renumber(Surface& s, const std::vector<int>& order, RenumberScratch& scratch) {
+  number_vertices(s, order, scratch.number);
+  order_triangles(s, order.size(), scratch);
+  renumber_stars(s, order, scratch);
+  take_in_order(order, s.boundary, scratch.bytes);
+  renumber_triangles(s, scratch);
+  renumber_opposites(s, scratch);
+  s.free_vertices.clear();
+  s.free_triangles.clear();
+  reset_first_corners(s);
 }
 
 }  // namespace tdbd::mesh

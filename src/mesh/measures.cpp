@@ -1,6 +1,5 @@
 #include "mesh/measures.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -10,7 +9,27 @@
 namespace tdbd::mesh {
 namespace {
 
-QualityFigures figures_of(std::vector<double> qualities) {
+double squared_distance_to_segment(const Vec3& a, const Vec3& b, const Vec3& x) {
+  const Vec3 e = b - a;
+  const double length2 = e.squaredNorm();
+  const double s = length2 > 0.0 ? std::clamp(e.dot(x - a) / length2, 0.0, 1.0) : 0.0;
+  return (x - a - s * e).squaredNorm();
+}
+
+}  // namespace
+
+double squared_distance(const Facet& f, const Vec3& x) {
+  const Vec3 n = (f.b - f.a).cross(f.c - f.a);
+  const auto foot = meet(f, x, n);
+  if (foot && foot->margin >= 0.0) return foot->s * foot->s * n.squaredNorm();
+  return std::min({squared_distance_to_segment(f.a, f.b, x),
+                   squared_distance_to_segment(f.b, f.c, x),
+                   squared_distance_to_segment(f.c, f.a, x)});
+}
+
+namespace {
+
+QualityStatistics figures_of(std::vector<double> qualities) {
   if (qualities.empty()) return {};
   const auto one_percent = qualities.begin() + static_cast<std::ptrdiff_t>(qualities.size() / 100);
   std::nth_element(qualities.begin(), one_percent, qualities.end());
@@ -24,7 +43,7 @@ double triangle_quality(const Vec3& a, const Vec3& b, const Vec3& c) {
   return edges2 > 0.0 ? 4.0 * std::sqrt(3.0) * area_vector(a, b, c).norm() / edges2 : 0.0;
 }
 
-QualityFigures quality_figures(const TriangleMesh& m) {
+QualityStatistics quality_statistics(const TriangleMesh& m) {
   std::vector<double> qualities;
   qualities.reserve(m.triangles.size());
   for (const Triangle& t : m.triangles)
@@ -33,7 +52,7 @@ QualityFigures quality_figures(const TriangleMesh& m) {
   return figures_of(std::move(qualities));
 }
 
-QualityFigures quality_figures(const Surface& s) {
+QualityStatistics quality_statistics(const Surface& s) {
   std::vector<double> qualities;
   for (const Triangle& t : s.triangles)
     if (t[0] >= 0)

@@ -1,8 +1,56 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "core/types.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace tdbd::mesh {
+
+/// A triangle given by its corners, m, counter-clockwise seen from outside.
+struct Facet {
+  Vec3 a, b, c;
+};
+
+/// Intersection of a line with the plane of a facet.
+struct PlaneCrossing {
+  double s = 0.0;    ///< parameter of the line
+  double out = 0.0;  ///< direction along the normal, times twice the facet's area
+  std::array<double, 3>
+      beside{};  ///< barycentric coordinates opposite ab, bc and ca: negative beyond that edge
+};
+
+/// Intersects the line x + s d with the plane of a facet (Moeller and Trumbore, 1997). Returns
+/// nothing if the sine of the angle between them is at most `parallel`, or if d = 0.
+inline std::optional<PlaneCrossing> cross_plane(const Facet& f, const Vec3& x, const Vec3& d,
+                                                double parallel) {
+  const Vec3 e1 = f.b - f.a, e2 = f.c - f.a, n = e1.cross(e2), r = x - f.a;
+  const double out = n.dot(d);
+  if (out * out <= parallel * parallel * n.squaredNorm() * d.squaredNorm()) return std::nullopt;
+  const Vec3 w = d.cross(r);
+  const double beta = w.dot(e2) / out, gamma = -w.dot(e1) / out;
+  return PlaneCrossing{-n.dot(r) / out, out, {gamma, 1.0 - beta - gamma, beta}};
+}
+
+/// Intersection of a line with the plane of a facet, and how far inside the facet it is.
+struct LineHit {
+  double s = 0.0;       ///< parameter of the line
+  double margin = 0.0;  ///< smallest barycentric coordinate: 0 on an edge, negative outside
+};
+
+/// Intersects the line x + s d with the plane of a facet. Returns nothing if they are parallel up
+/// to rounding, or if d = 0.
+inline std::optional<LineHit> meet(const Facet& f, const Vec3& x, const Vec3& d) {
+  constexpr double rounding = 1e-15;
+  const auto crossing = cross_plane(f, x, d, rounding);
+  if (!crossing) return std::nullopt;
+  return LineHit{crossing->s, *std::ranges::min_element(crossing->beside)};
+}
+
+/// Squared distance from x to the closest point of a facet, m2.
+double squared_distance(const Facet& f, const Vec3& x);
 
 struct Surface;
 
@@ -17,11 +65,11 @@ double triangle_quality(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Shape quality of a surface: the quality of its worst triangle, and the quality that 99 % of the
 /// triangles exceed. Zero without triangles.
-struct QualityFigures {
+struct QualityStatistics {
   double least = 0.0, one_percent = 0.0;
 };
-QualityFigures quality_figures(const TriangleMesh& m);
-QualityFigures quality_figures(const Surface& s);
+QualityStatistics quality_statistics(const TriangleMesh& m);
+QualityStatistics quality_statistics(const Surface& s);
 
 /// Volume enclosed by a closed mesh, m3, mesh (3): signed tetrahedra about the first position
 /// (compensated sum). Positive if the normals point outwards.

@@ -2,11 +2,137 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+#include <tuple>
+
 #include "core/compensated_sum.hpp"
 #include "core/error.hpp"
-#include "mesh/sides.hpp"
 
 namespace tdbd::mesh {
+namespace {
+
+Side side_of(const std::vector<Triangle>& triangles, int corner) {
+  const Triangle& c = triangles[at(corner / 3)];
+  const int from = c[at((corner + 1) % 3)], to = c[at((corner + 2) % 3)];
+  return {std::min(from, to), std::max(from, to), corner / 3, from < to, corner};
+}
+
+template <class Visit>
+void visit_sides(const std::vector<Triangle>& triangles, Visit visit) {
+  for (int corner = 0; corner < 3 * static_cast<int>(triangles.size()); ++corner)
+    if (triangles[at(corner / 3)][0] >= 0) visit(side_of(triangles, corner));
+}
+
+/// Start index of the sides of each lower vertex, followed by the total number of sides.
+std::vector<std::size_t> starts_by_lower_vertex(const std::vector<Triangle>& triangles) {
+  std::vector<std::size_t> starts;
+  visit_sides(triangles, [&](const Side& s) {
+    if (at(s.lo) + 2 > starts.size()) starts.resize(at(s.lo) + 2, 0);
+    ++starts[at(s.lo) + 1];
+  });
+  for (std::size_t v = 1; v < starts.size(); ++v) starts[v] += starts[v - 1];
+  return starts;
+}
+
+}  // namespace
+
+std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles) {
+  const std::vector<std::size_t> starts = starts_by_lower_vertex(triangles);
+  if (starts.empty()) return {};
+  std::vector<std::size_t> next = starts;
+  std::vector<Side> sides(starts.back());
+  visit_sides(triangles, [&](const Side& s) { sides[next[at(s.lo)]++] = s; });
+  for (std::size_t v = 0; v + 1 < starts.size(); ++v)
+    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(starts[v]),
+              sides.begin() + static_cast<std::ptrdiff_t>(starts[v + 1]),
+              [](const Side& a, const Side& b) {
+                return std::tie(a.hi, a.corner) < std::tie(b.hi, b.corner);
+              });
+  return sides;
+}
+
+namespace {
+
+/// The corner at v from which turning left reaches all others.
+int first_corner(const Surface& s, int v) {
+  int c = s.corner_of[at(v)];
+  if (!s.is_boundary(v)) return c;
+  for (int right = turn_right(s, c); right >= 0; right = turn_right(s, c)) c = right;
+  return c;
+}
+
+/// Calls visit(neighbour) counter-clockwise; an open ring starts at its beginning.
+template <class Visit>
+void visit_ring(const Surface& s, int v, Visit&& visit) {
+  const int first = first_corner(s, v);
+  int c = first, last = first;
+  do {
+    visit(s.vertex(next_corner(c)));
+    last = c;
+    c = turn_left(s, c);
+  } while (c >= 0 && c != first);
+  if (c < 0) visit(s.vertex(previous_corner(last)));
+}
+
+void free_long_ring(Surface& s, VertexStar& star) {
+  if (star.long_ring < 0) return;
+  s.free_long_rings.push_back(star.long_ring);
+  star.long_ring = -1;
+}
+
+int new_long_ring(Surface& s) {
+  if (s.free_long_rings.empty()) {
+    s.long_rings.emplace_back();
+    return static_cast<int>(s.long_rings.size()) - 1;
+  }
+  const int number = s.free_long_rings.back();
+  s.free_long_rings.pop_back();
+  return number;
+}
+
+/// Storage for the neighbours of a star: in the star itself or among the long rings.
+std::span<int> ring_storage(Surface& s, VertexStar& star, int size) {
+  star.ring.fill(0);
+  if (size <= VertexStar::held) return {star.ring.data(), static_cast<std::size_t>(size)};
+  star.long_ring = new_long_ring(s);
+  std::vector<int>& ring = s.long_rings[at(star.long_ring)];
+  ring.resize(static_cast<std::size_t>(size));
+  return ring;
+}
+
+}  // namespace
+
+void refresh_star(Surface& s, int v) {
+  VertexStar& star = s.stars[at(v)];
+  free_long_ring(s, star);
+  int size = 0;
+  if (s.is_alive(v)) visit_ring(s, v, [&](int) { ++size; });
+  const std::span<int> ring = ring_storage(s, star, size);
+  star.size = static_cast<std::uint32_t>(size) & 0x7fffffffU;
+  star.open = size > 0 && s.is_boundary(v) ? 1U : 0U;
+  if (size == 0) return;
+  auto next = ring.begin();
+  visit_ring(s, v, [&](int w) { *next++ = w; });
+  if (star.open == 0)
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+}
+
+void refresh_stars(Surface& s) {
+  for (int v = 0; v < s.vertex_slots(); ++v) refresh_star(s, v);
+}
+
+bool stars_are_consistent(const Surface& s) {
+  Surface anew = s;
+  refresh_stars(anew);
+  for (int v = 0; v < s.vertex_slots(); ++v) {
+    const VertexStar &a = s.star(v), &b = anew.star(v);
+    if (a.size != b.size || a.open != b.open) return false;
+    if (!std::equal(s.ring(a), s.ring(a) + a.size, anew.ring(b))) return false;
+  }
+  return true;
+}
+
 namespace {
 
 std::string place(const TriangleMesh& m, int v) {
@@ -105,7 +231,7 @@ bool adjacency_is_consistent(const Surface& s) {
     if (!s.triangle_is_alive(c / 3) || s.vertex(c) != v) return false;
     if (boundary[at(v)] != s.boundary[at(v)]) return false;
   }
-  return stars_are_right(s);
+  return stars_are_consistent(s);
 }
 
 double hole_volume(const Surface& s, const Vec3& origin_W) {

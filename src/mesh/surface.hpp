@@ -1,13 +1,78 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <vector>
 
+#include "core/types.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "mesh/vertex_star.hpp"
 
 namespace tdbd::mesh {
+
+/// One side of a triangle; lo < hi are the ends of its edge.
+struct Side {
+  int lo = 0;
+  int hi = 0;
+  int triangle = 0;
+  bool forward = false;  ///< whether the triangle traverses the edge from lo to hi
+  int corner = 0;        ///< 3 triangle + i, the corner that faces this side
+};
+
+/// Returns all sides, sorted so that the sides of one edge are adjacent, in the order of their
+/// triangles. Dead triangles (first corner negative) have no sides.
+std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles);
+inline std::vector<Side> sorted_sides(const TriangleMesh& m) { return sorted_sides(m.triangles); }
+
+/// Calls visit(first, last) with the range of sides of each edge.
+template <class Visit>
+void for_each_edge(const std::vector<Side>& sides, Visit visit) {
+  for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
+    while (j < sides.size() && sides[j].lo == sides[i].lo && sides[j].hi == sides[i].hi) ++j;
+    visit(&sides[i], sides.data() + j);
+  }
+}
+
+/// The corner 3 t + i of triangle t at vertex v.
+inline int corner_at(const std::vector<Triangle>& triangles, int t, int v) {
+  const Triangle& c = triangles[at(t)];
+  return 3 * t + (c[0] == v ? 0 : c[1] == v ? 1 : 2);
+}
+
+/// A vertex and its neighbours in one cache line: the data of the surface that a step reads. The
+/// neighbours are in counter-clockwise order. The triangles at vertex v are (v, ring[i], ring[i +
+/// 1]), and the last neighbour with the first unless the ring is open. A closed ring starts with
+/// its smallest index, an open one at the boundary, so a star depends on the connectivity only, not
+/// on the edits that led to it. Rings of more than `held` neighbours are stored by the surface
+/// (Surface::ring).
+struct alignas(64) VertexStar {
+  static constexpr int held = 8;
+  Vec3 x = Vec3::Zero();         ///< m
+  std::array<int, held> ring{};  ///< neighbours, if there are at most `held`
+  std::uint32_t size : 31 = 0;   ///< number of neighbours; 0: the vertex is dead
+  std::uint32_t open : 1 = 0;    ///< 1 on the boundary
+  std::int32_t long_ring = -1;   ///< index into Surface::long_rings, or -1
+
+  /// For checkpoints: the neighbours follow from the triangles (refresh_stars).
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(x);
+  }
+};
+
+static_assert(sizeof(VertexStar) == 64);
+
+struct Surface;
+
+/// Recomputes the star of a vertex from the corner table. Every edit must call it for the vertices
+/// whose triangles it changed.
+void refresh_star(Surface& s, int v);
+
+/// Recomputes the stars of all vertices.
+void refresh_stars(Surface& s);
+
+/// Whether every star equals the result of refresh_star. Slow; for tests and debug builds.
+bool stars_are_consistent(const Surface& s);
 
 /// A triangulated surface that can be edited, stored as a corner table, mesh (1): triangles and,
 /// for every corner c = 3 t + i, the corner across the edge that faces c (-1 on the boundary). The

@@ -28,7 +28,7 @@ Rock make_rock(mesh::Surface surface, double cell, const mesh::Box& reach_W) {
   return rock;
 }
 
-void make_index_anew(Rock& rock, const mesh::Box& box_W) {
+void rebuild_index(Rock& rock, const mesh::Box& box_W) {
   constexpr long never = -1;
   const double cell = rock.grid.cell();
   rock.grid = VertexGrid();  // before the new one is made: never two in memory
@@ -46,11 +46,11 @@ void deepen_index(Rock& rock) {
   box.hi.z() += box.size().z();
   box.lo.head<2>() = box.lo.head<2>().cwiseMin(old.lo.head<2>());
   box.hi.head<2>() = box.hi.head<2>().cwiseMax(old.hi.head<2>());
-  make_index_anew(rock, box);
+  rebuild_index(rock, box);
 }
 
 void touch(Rock& rock, int v) {
-  forget_ring(rock, v);
+  discard_ring_note(rock, v);
   std::uint8_t& mark = rock.touched[at(v)];
   const bool is_listed = mark != 0;
   mark = touched_mark;
@@ -58,18 +58,18 @@ void touch(Rock& rock, int v) {
   rock.touched_list.push_back(v);
 }
 
-void touch_neighbours(Rock& rock, int v) {
+void mark_neighbours_changed(Rock& rock, int v) {
   mesh::visit_corners(rock.surface, v,
                       [&](int c) { touch(rock, rock.surface.vertex(mesh::next_corner(c))); });
 }
 
-void place_vertex(Rock& rock, int v, const Vec3& x_W, Teller teller) {
+void place_vertex(Rock& rock, int v, const Vec3& x_W, Notify notify) {
   rock.surface.place(v, x_W);
-  rock.grid.move(v, x_W, teller);
+  rock.grid.move(v, x_W, notify);
   touch(rock, v);
 }
 
-void note_cut(Rock& rock, int v) {
+void record_cut(Rock& rock, int v) {
   MovedIn& moved = rock.moved_in[at(v)];
   if (rock.touched[at(v)] == 0) moved.first = rock.cuts;
   moved.last = rock.cuts;

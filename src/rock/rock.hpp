@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "core/single.hpp"
+#include "core/simd.hpp"
 #include "mesh/surface.hpp"
 #include "rock/index/near_list.hpp"
 #include "rock/index/vertex_grid.hpp"
@@ -25,14 +25,14 @@ struct MovedIn {
 /// Whether a part of the bit touched a vertex after the last cut. `held`: it did. `left`: it did
 /// before, and the part now contains the place where the undisturbed rock was. `made`: maintenance
 /// made or moved the vertex beside the contact.
-enum class Hold { held, left, made };
+enum class ContactStatus { held, left, made };
 
 /// A vertex that a part of the bit pressed, and the sum of the displacements by that part during
 /// uninterrupted contact (contact in every step): the undisturbed rock was at x - d_W.
 struct PressedVertex {
   int v = 0;
   Vec3 d_W = Vec3::Zero();  ///< m
-  Hold hold = Hold::held;
+  ContactStatus hold = ContactStatus::held;
 
   template <class Archive>
   void serialize(Archive& a) {
@@ -42,7 +42,7 @@ struct PressedVertex {
 
 /// Records that an operation of maintenance made vertex v or moved it along the surface. The
 /// displacements of v (PressedVertex) become the weighted mean of those of `from`.
-struct CarriedDisplacement {
+struct InterpolatedDisplacement {
   int v = 0;
   std::array<int, 3> from{};
   std::array<double, 3> weight{};
@@ -56,7 +56,7 @@ struct CarriedDisplacement {
 /// A vertex inside a part that removes only a share of the rock in its way (bit::Part::share), and
 /// how much farther the vertex would have moved if the part removed all the rock: a part that did
 /// would have it at x + left_W.
-struct LeftVertex {
+struct ResidualVertex {
   int v = 0;
   int part = 0;                ///< the first part of the group that passes over it
   Vec3 left_W = Vec3::Zero();  ///< m
@@ -98,9 +98,10 @@ struct Rock {
   /// and those that maintenance made beside the contact (contact_areas). Empty if contact is not
   /// measured.
   std::vector<std::vector<PressedVertex>> pressed;
-  std::vector<CarriedDisplacement> carried;  ///< since the last cut, in the order of the operations
-  std::vector<LeftVertex> left;              ///< sorted by vertex, then by part (cut/left_rock.hpp)
-  std::vector<NearList> near_lists;          ///< per group of the bit that cut last
+  std::vector<InterpolatedDisplacement>
+      carried;                       ///< since the last cut, in the order of the operations
+  std::vector<ResidualVertex> left;  ///< sorted by vertex, then by part (cut/left_rock.hpp)
+  std::vector<NearList> near_lists;  ///< per group of the bit that cut last
   RingNotes notes;
 
   /// For checkpoints: the index and what follows from the surface is made again.
@@ -116,7 +117,7 @@ Rock make_rock(mesh::Surface surface, double cell, const mesh::Box& reach_W);
 
 /// Rebuilds the index around `box_W` with the same cell size. Does not change the results of cuts
 /// and repairs.
-void make_index_anew(Rock& rock, const mesh::Box& box_W);
+void rebuild_index(Rock& rock, const mesh::Box& box_W);
 
 /// Rebuilds the index if the hole is deeper than the index's box by several cells, because all rock
 /// below the box would be in one layer of cells. The new box reaches below the rock by its height.
@@ -127,7 +128,7 @@ void deepen_index(Rock& rock);
 inline constexpr std::uint8_t touched_mark = 1, classified_mark = 2;
 
 /// Discards the note on the triangles around vertex v.
-inline void forget_ring(Rock& rock, int v) {
+inline void discard_ring_note(Rock& rock, int v) {
   if (at(v) < rock.notes.of.size()) rock.notes.of[at(v)] = 0;  // a copy may have no notes
 }
 
@@ -135,15 +136,15 @@ inline void forget_ring(Rock& rock, int v) {
 void touch(Rock& rock, int v);
 
 /// Marks the neighbours of v as changed.
-void touch_neighbours(Rock& rock, int v);
+void mark_neighbours_changed(Rock& rock, int v);
 
-/// Moves vertex v to x_W on the surface and in the index, and marks it as changed. `teller`: who
-/// updates the near lists (change_journal.hpp).
-void place_vertex(Rock& rock, int v, const Vec3& x_W, Teller teller = Teller::journal);
+/// Moves vertex v to x_W on the surface and in the index, and marks it as changed. `notify`: who
+/// updates the near lists (vertex_grid.hpp).
+void place_vertex(Rock& rock, int v, const Vec3& x_W, Notify notify = Notify::journal);
 
 /// Records that the current cut moves vertex v. Must be called before the vertex is marked as
 /// changed. Moves by maintenance are not recorded, so maintenance does not wait for its own moves.
-void note_cut(Rock& rock, int v);
+void record_cut(Rock& rock, int v);
 
 /// Whether the last cut moved vertex v. Valid until the next maintenance.
 inline bool is_moved_now(const Rock& rock, int v) { return rock.moved_in[at(v)].last == rock.cuts; }
@@ -152,7 +153,7 @@ inline bool is_moved_now(const Rock& rock, int v) { return rock.moved_in[at(v)].
 void register_vertex(Rock& rock, int v, int last_part);
 
 /// Sort order of Rock::left.
-inline bool comes_before(const LeftVertex& a, const LeftVertex& b) {
+inline bool comes_before(const ResidualVertex& a, const ResidualVertex& b) {
   return a.v != b.v ? a.v < b.v : a.part < b.part;
 }
 
@@ -163,7 +164,7 @@ inline bool has_displacements(const Rock& rock) {
 }
 
 /// Records how an operation of maintenance carries displacements, if there are any.
-inline void note_carried(Rock& rock, const CarriedDisplacement& carried) {
+inline void record_carried(Rock& rock, const InterpolatedDisplacement& carried) {
   if (has_displacements(rock)) rock.carried.push_back(carried);
 }
 

@@ -1,8 +1,18 @@
 #pragma once
 
-#include "core/pose.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::rotation {
+
+/// The skew-symmetric matrix of a: skew(a) b = a x b.
+Mat3 skew(const Vec3& a);
+
+/// Rotation by |v| (rad) about v (Rodrigues formula; series near zero). rotation (1); thesis: 5.1.
+Mat3 exp(const Vec3& v);
+
+/// Rotation vector of R with an angle in [0, pi], rad: rotation (2), computed by quaternion,
+/// accurate near 0 and pi.
+Vec3 log(const Mat3& R);
 
 /// Velocity of a bit relative to the rock, in the bit's frame. If constant, it is a screw motion.
 /// Steady drilling is angular_B = (0, 0, w), linear_B = (0, 0, v), with pitch v / w along the z

@@ -76,7 +76,7 @@ void flow_both(const Chain& c, double time, ChainState& s, ChainWork& w) {
       if (size_of(from) <= c.threshold) level = most;
       resting += to.along == 0.0 && to.around == 0.0;
     }
-    book_flow({from, to, F, level, time}, mass, damping, lost);
+    add_flow_losses({from, to, F, level, time}, mass, damping, lost);
     s.velocity[i] = to.along;
     s.rotary_speed[i] = to.around * w.inverse_radius[i];
   }
@@ -95,12 +95,12 @@ void flow_torsion(const Chain& c, double time, ChainState& s, ChainWork& w) {
     const Slip F{0.0, (w.torque[i - 1] - w.torque[i]) * w.inverse_radius[i]};
     const Coulomb friction{c.contact.resting[i] * w.side_force[i],
                            c.contact.sliding[i] * w.side_force[i], c.threshold};
-    const OneWay body{mass, c.torsional_damping * mass};
+    const DampedBody body{mass, c.torsional_damping * mass};
     const Slip to{0.0, friction.resting > 0.0
                            ? flow_along(body, F.around, friction, time, from.around)
                            : from.around + w.around[i] * (F.around - body.damping * from.around)};
     const double level = std::abs(from.around) > c.threshold ? friction.sliding : friction.resting;
-    book_flow({from, to, F, level, time}, {0.0, mass}, {0.0, body.damping}, lost);
+    add_flow_losses({from, to, F, level, time}, {0.0, mass}, {0.0, body.damping}, lost);
     s.rotary_speed[i] = to.around * w.inverse_radius[i];
     resting += to.around == 0.0;
   }
@@ -116,7 +116,7 @@ void flow_axial(const Chain& c, double time, ChainState& s, ChainWork& w) {
     const double mass = c.elements.mass[i], damping = c.axial_damping * mass;
     const Slip from{s.velocity[i], 0.0}, F{force_on(c, w, i).along, 0.0};
     const Slip to{from.along + w.along[i] * (F.along - damping * from.along), 0.0};
-    book_flow({from, to, F, 0.0, time}, {mass, 0.0}, {damping, 0.0}, lost);
+    add_flow_losses({from, to, F, 0.0, time}, {mass, 0.0}, {damping, 0.0}, lost);
     s.velocity[i] = to.along;
     s.rotary_speed[i] = s.top.set_speed;
   }
@@ -157,7 +157,7 @@ void flow_top_around(const Chain& c, double time, ChainState& s, const ChainWork
 
 /// Adds the energy taken by the Kelvin-Voigt dampers at the chain's own nodes during a flow to the
 /// ledger.
-void book_loss(const Chain& c, double time, ChainState& s, const ChainWork& w) {
+void add_damper_losses(const Chain& c, double time, ChainState& s, const ChainWork& w) {
   double work = 0.0;
   for (std::size_t i = 0; i < at(c.count()); ++i) {
     const double above = i > 0 ? w.damper_force[i - 1] : 0.0;
@@ -191,7 +191,7 @@ void flow_nodes(const Chain& c, double time, ChainState& s, ChainWork& w) {
       flow_axial(c, time, s, w);
       break;
   }
-  if (c.has_loss()) book_loss(c, time, s, w);
+  if (c.has_loss()) add_damper_losses(c, time, s, w);
 }
 
 void drift(const Chain& c, double h, ChainState& s) {
@@ -212,7 +212,7 @@ void take_command(const Chain& c, double h, const TopCommand& command, TopState&
 }
 
 /// Adds the work of the top on the string during the step to the ledger. Call it after the drift.
-void book_top(const Chain& c, double h, double set_turn, ChainState& s, const ChainWork& w) {
+void add_top_work(const Chain& c, double h, double set_turn, ChainState& s, const ChainWork& w) {
   if (moves_along(c) && c.top.axial != Top::Axial::hook_load) {
     const double way = h * s.velocity[0];
     const double damper = c.axial_damping * c.elements.mass[0] * s.velocity[0];
@@ -310,9 +310,9 @@ void load_elements(const Chain& c, const EndMotion& end, ChainState& s, ChainWor
 }
 
 void close_step(const Chain& c, double h, const TopCommand& command, ChainState& s, ChainWork& w) {
-  book_top(c, h, w.set_turn, s, w);
+  add_top_work(c, h, w.set_turn, s, w);
   if (c.top.axial == Top::Axial::autodriller)
-    drive_block(c.top, h, surface_load(c, s, w).hook_load, command.weight, s.top);
+    update_block_rate(c.top, h, surface_load(c, s, w).hook_load, command.weight, s.top);
   flow_nodes(c, 0.5 * h, s, w);
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 /// Time in which a force `a` (N, friction included) changes the speed of a body from one value to
 /// another that it approaches.
-double time_to(const OneWay& body, double a, double from, double to) {
+double time_to(const DampedBody& body, double a, double from, double to) {
   if (body.damping == 0.0) return body.mass * (to - from) / a;
   return body.mass / body.damping *
          std::log1p(body.damping * (from - to) / (body.damping * to - a));
@@ -15,7 +15,7 @@ double time_to(const OneWay& body, double a, double from, double to) {
 
 /// One piece of the flow with constant friction, whose force is included in `a`. It ends at speed
 /// `stop` or after `time`. Returns the speed and subtracts the elapsed time from `time`.
-double piece(const OneWay& body, double a, double speed, double stop, double& time) {
+double piece(const DampedBody& body, double a, double speed, double stop, double& time) {
   const double end = speed + mobility(time, body.mass, body.damping) * (a - body.damping * speed);
   if (speed == stop || (end - stop) * (speed - stop) > 0.0) {
     time = 0.0;
@@ -27,7 +27,7 @@ double piece(const OneWay& body, double a, double speed, double stop, double& ti
 
 /// Slip after a flow with friction against that slip, whose size is `size`. f is the slip without
 /// friction, x the mobilities times the friction level.
-Slip held_or(const Slip& f, const Slip& x, double size) {
+Slip slip_against_friction(const Slip& f, const Slip& x, double size) {
   return {f.along * size / (size + x.along), f.around * size / (size + x.around)};
 }
 
@@ -70,7 +70,7 @@ Slip in_mean_direction(const Slip& start, const Slip& f, const Slip& x, const Sl
 
 }  // namespace
 
-double flow_along(const OneWay& body, double force, const Coulomb& friction, double time,
+double flow_along(const DampedBody& body, double force, const Coulomb& friction, double time,
                   double speed) {
   if (friction.resting <= 0.0)
     return speed + mobility(time, body.mass, body.damping) * (force - body.damping * speed);
@@ -110,11 +110,11 @@ Slip flow_slip(const Slip& start, const FreeFlow& free, const Coulomb& friction)
     if (level <= 0.0) return f;
     x = {free.mobility.along * level, free.mobility.around * level};
   }
-  const Slip end = held_or(f, x, slip_size(f, x));
+  const Slip end = slip_against_friction(f, x, slip_size(f, x));
   return in_mean_direction(start, f, x, end);
 }
 
-void book_flow(const DoneFlow& flow, const Slip& mass, const Slip& damping, Lost& lost) {
+void add_flow_losses(const CompletedFlow& flow, const Slip& mass, const Slip& damping, Lost& lost) {
   const Slip &from = flow.from, &to = flow.to, &F = flow.force;
   const double before = size_of(from), R = flow.friction;
   if (R > 0.0 && to.along == 0.0 && to.around == 0.0) {

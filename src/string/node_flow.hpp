@@ -22,7 +22,7 @@ struct Coulomb {
 };
 
 /// A body that moves in one direction; its position is fixed during a flow.
-struct OneWay {
+struct DampedBody {
   double mass = 0.0;     ///< kg
   double damping = 0.0;  ///< N s/m
 };
@@ -30,7 +30,7 @@ struct OneWay {
 /// The exact speed after `time` of a body under a constant force, its damper and Coulomb friction
 /// (string (6)): pieces of exponentials between the times at which the speed passes the threshold
 /// or zero.
-double flow_along(const OneWay& body, double force, const Coulomb& friction, double time,
+double flow_along(const DampedBody& body, double force, const Coulomb& friction, double time,
                   double speed);
 
 /// Two speeds of one contact point: along the hole and around it, m/s.
@@ -51,7 +51,7 @@ struct FreeFlow {
 Slip flow_slip(const Slip& start, const FreeFlow& free, const Coulomb& friction);
 
 /// A completed flow, in units of slip.
-struct DoneFlow {
+struct CompletedFlow {
   Slip from, to;          ///< m/s
   Slip force;             ///< without friction and dampers, N
   double friction = 0.0;  ///< friction level, N; 0: none
@@ -66,6 +66,6 @@ struct Lost {
 /// Adds the losses of a flow: minus the impulse of friction and dampers times the mean speed. A
 /// body that comes to rest loses its kinetic energy and the work of the force until then; after
 /// that the force does no work.
-void book_flow(const DoneFlow& flow, const Slip& mass, const Slip& damping, Lost& lost);
+void add_flow_losses(const CompletedFlow& flow, const Slip& mass, const Slip& damping, Lost& lost);
 
 }  // namespace tdbd::string

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "string/section.hpp"
-#include "string/survey.hpp"
 
 namespace tdbd::string {
 

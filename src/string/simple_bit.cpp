@@ -11,7 +11,7 @@ namespace {
 
 /// Data of one direction of the bit.
 struct Drive {
-  OneWay body;
+  DampedBody body;
   double force = 0.0;     ///< of string, weight and cutting
   double friction = 0.0;  ///< friction level while moving
   double resting = 0.0;   ///< friction level at rest
@@ -21,8 +21,8 @@ struct Drive {
 double flow_one(const Drive& d, double time, double speed, Lost& lost) {
   const double next = flow_along(d.body, d.force, {d.resting, d.friction, 0.0}, time, speed);
   const double level = speed != 0.0 || next != 0.0 ? d.friction : d.resting;
-  book_flow({{speed, 0.0}, {next, 0.0}, {d.force, 0.0}, level, time}, {d.body.mass, 0.0},
-            {d.body.damping, 0.0}, lost);
+  add_flow_losses({{speed, 0.0}, {next, 0.0}, {d.force, 0.0}, level, time}, {d.body.mass, 0.0},
+                  {d.body.damping, 0.0}, lost);
   return next;
 }
 

@@ -52,8 +52,8 @@ TopFlow flow_top(const Top& top, double time, double speed, double set_speed, do
   return f;
 }
 
-void drive_block(const Top& top, double step, double hook_load, double set_weight,
-                 TopState& state) {
+void update_block_rate(const Top& top, double step, double hook_load, double set_weight,
+                       TopState& state) {
   const double weight = top.tare - hook_load;
   const double share = top.filter > 0.0 ? -std::expm1(-step / top.filter) : 1.0;
   state.measured += share * (weight - state.measured);

@@ -78,6 +78,7 @@ TopFlow flow_top(const Top& top, double time, double speed, double set_speed, do
                  double torque, double damping, double inertia);
 
 /// Sets the next rate of the autodriller from the hook load of this step, string (8).
-void drive_block(const Top& top, double step, double hook_load, double set_weight, TopState& state);
+void update_block_rate(const Top& top, double step, double hook_load, double set_weight,
+                       TopState& state);
 
 }  // namespace tdbd::string

@@ -2,8 +2,8 @@
 
 #include <rapidcheck.h>
 
-#include "core/pose.hpp"
 #include "core/random.hpp"
+#include "core/types.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 /// RapidCheck generators. Every double is made from an integer, so that counterexamples shrink to

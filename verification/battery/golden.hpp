@@ -5,7 +5,6 @@
 
 #include "dynamics/gyrostat.hpp"
 #include "dynamics/loads.hpp"
-#include "dynamics/rotation_state.hpp"
 
 /// Reads verification/data/golden: reference solutions and steps of the schemes (its README
 /// explains how they were made).

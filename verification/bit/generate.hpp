@@ -8,10 +8,10 @@
 #include <string>
 #include <utility>
 
-#include "bit/cutter/cutter_frame.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "bit/cutter/cutter_table.hpp"
 #include "bit/pdc/pdc_bit.hpp"
-#include "core/angles.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::bit {
 

@@ -61,7 +61,7 @@ inline PdcDesign any_design() {
 
 /// Its cutters; designs that do not fit are thrown away.
 inline std::vector<Cutter> laid_out(const PdcDesign& d) {
-  const Layout layout = lay_out(d);
+  const Layout layout = make_layout(d);
   RC_PRE(layout.problems.empty());
   return layout.cutters;
 }

@@ -1,5 +1,3 @@
-#include "bit/mass_properties.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -7,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bit/bit.hpp"
 #include "bit/generate.hpp"
 #include "bit/surface_of_revolution.hpp"
 #include "core/observed_order.hpp"

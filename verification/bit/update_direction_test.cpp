@@ -4,8 +4,8 @@
 
 #include <set>
 
+#include "bit/bit.hpp"
 #include "bit/generate.hpp"
-#include "bit/part_kind.hpp"
 #include "bit/surface_of_revolution.hpp"
 #include "mesh/measures.hpp"
 

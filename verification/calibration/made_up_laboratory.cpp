@@ -7,8 +7,8 @@
 #include <map>
 #include <numbers>
 
-#include "core/angles.hpp"
 #include "core/random.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::calibration {
 namespace {

@@ -4,12 +4,10 @@
 #include <numbers>
 #include <numeric>
 
-#include "bit/cone/tooth_mesh.hpp"
-#include "bit/cutter/cutter_frame.hpp"
-#include "bit/cutter/cutter_parts.hpp"
-#include "bit/mass_properties.hpp"
-#include "bit/profile/engagement.hpp"
-#include "bit/profile/exposure.hpp"
+#include "bit/bit.hpp"
+#include "bit/cone/cone_parts.hpp"
+#include "bit/cutter/cutter.hpp"
+#include "bit/profile/bit_analysis.hpp"
 #include "bit/surface_of_revolution.hpp"
 #include "claims/example_bits.hpp"
 #include "core/observed_order.hpp"

@@ -1,11 +1,11 @@
+#include "bit/bit.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "bit/cone/cone_bit.hpp"
-#include "bit/cone/part_pose.hpp"
-#include "bit/cutter/cutter_frame.hpp"
-#include "bit/mass_properties.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "bit/profile/exposure_profile.hpp"
 #include "claims/example_bits.hpp"
 #include "core/random.hpp"

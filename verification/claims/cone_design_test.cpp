@@ -4,8 +4,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "bit/cone/cone_assumptions.hpp"
-#include "bit/cone/cone_frame.hpp"
+#include "bit/cone/cone_bit.hpp"
 #include "bit/cone/cone_measures.hpp"
 #include "bit/cone/cone_parts.hpp"
 #include "bit/cone/tracking.hpp"

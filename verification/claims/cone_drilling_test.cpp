@@ -10,14 +10,14 @@ namespace tdbd::claims::cone_drilling_test {
 
 /// The second half of a short run, on a coarse mesh.
 struct Half {
-  std::vector<simulation::Spread> ratio;  ///< of each cone, over the bit's speed
-  double weight = 0.0, torque = 0.0;      ///< N, N m, means
+  std::vector<simulation::RunningVariance> ratio;  ///< of each cone, over the bit's speed
+  double weight = 0.0, torque = 0.0;               ///< N, N m, means
 };
 
 Half second_half(const simulation::Case& c) {
   simulation::Simulation s = simulation::start(c);
   Half half;
-  simulation::Spread weight, torque;
+  simulation::RunningVariance weight, torque;
   while (s.state.steps_done < c.time.steps) {
     const double before = s.state.place.turned;
     simulation::step(c, s);

@@ -81,16 +81,17 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 TEST(ConeWays, of_the_patent_are_one_recursion_under_one_torque) {
   const std::string claim = "chapter2/two-ways";
   const reference::RollerBit bit = reference::example::roller_bit(4e-3);
-  const auto drill = [&](reference::PatentWay way, double average, double given, double bearing) {
+  const auto drill = [&](reference::PatentMethod way, double average, double given,
+                         double bearing) {
     reference::HuangCawthorneOptions o;
     o.way = way;
     o.torque_average = average;
-    o.given_revolutions = given;
+    o.prescribed_ratio_revolutions = given;
     o.bearing = bearing;
     o.drilling.print.release = reference::ToothRelease::elastic;
     return huang_cawthorne(bit, reference::example::tooth_table(), schedule(1.0, 1e-3), o);
   };
-  using enum reference::PatentWay;
+  using enum reference::PatentMethod;
   const auto a = drill(first, 0.0, 0.0, 0.0), b = drill(second, 0.0, 0.0, 0.0);
   const std::string what =
       "a turn of three free cones on tables of single-tooth tests, 1 ms: largest difference of ";

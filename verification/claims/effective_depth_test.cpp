@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "claims/example_bits.hpp"
-#include "core/angles.hpp"
+#include "core/types.hpp"
 #include "reference/literature/drag/wear/glowka_bit.hpp"
 
 /// Chapter 2, on Glowka: laws of cutters in virgin rock, read at the effective depth.

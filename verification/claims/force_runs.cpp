@@ -26,17 +26,17 @@ std::vector<std::string> reconstructed(std::vector<std::string> more) {
   return more;
 }
 
-simulation::LoadFigures loads_of(const simulation::Case& c) {
+simulation::LoadStatisticsSummary loads_of(const simulation::Case& c) {
   const simulation::Simulation s = drilled(c);
   return simulation::figures_of(c.bit, s.statistics.loads,
                                 c.time.step * static_cast<double>(s.state.steps_done));
 }
 
-simulation::LoadFigures sharp_loads(const std::vector<std::string>& more) {
+simulation::LoadStatisticsSummary sharp_loads(const std::vector<std::string>& more) {
   return loads_of(rock_case("bit-b-steady", sharp(more)));
 }
 
-simulation::LoadFigures reconstructed_loads(const std::vector<std::string>& more) {
+simulation::LoadStatisticsSummary reconstructed_loads(const std::vector<std::string>& more) {
   return loads_of(rock_case("bit-b-3000psi", reconstructed(more)));
 }
 

@@ -20,11 +20,11 @@ std::vector<std::string> sharp(std::vector<std::string> more);
 std::vector<std::string> reconstructed(std::vector<std::string> more);
 
 /// Drills the whole case.
-simulation::LoadFigures loads_of(const simulation::Case& c);
+simulation::LoadStatisticsSummary loads_of(const simulation::Case& c);
 
 /// Of bit B, sharp; of bit B under 3000 psi by the reconstructed law.
-simulation::LoadFigures sharp_loads(const std::vector<std::string>& more);
-simulation::LoadFigures reconstructed_loads(const std::vector<std::string>& more);
+simulation::LoadStatisticsSummary sharp_loads(const std::vector<std::string>& more);
+simulation::LoadStatisticsSummary reconstructed_loads(const std::vector<std::string>& more);
 
 /// Advance of a revolution, m.
 double depth_of_cut(const simulation::Case& c);

@@ -95,7 +95,7 @@ TEST(Forces, do_not_depend_on_the_step) {
 
 /// Weight and torque, means.
 Eigen::Vector2d weight_and_torque(double A1, double A2, double A4, double A5, double A6) {
-  const simulation::LoadFigures f =
+  const simulation::LoadStatisticsSummary f =
       reconstructed_loads({"rock.edge_length='3 mm'", "time.step='2 ms'",
                            "forces.cutter_body.law=none", fmt::format("forces.A1={}", A1),
                            fmt::format("forces.A2={}", A2), fmt::format("forces.A4={}", A4),
@@ -143,7 +143,7 @@ TEST(Forces, grow_with_pressure_as_the_confined_strength_does) {
   const auto grow = [](const char* name, const std::vector<std::string>& law) {
     const simulation::Case low = under_pressure(name, 3000, law),
                            high = under_pressure(name, 6000, law);
-    const simulation::LoadFigures l = loads_of(low), h = loads_of(high);
+    const simulation::LoadStatisticsSummary l = loads_of(low), h = loads_of(high);
     return Growth{
         high.forces.rock.strengths.front().confined / low.forces.rock.strengths.front().confined,
         h.wob.mean / l.wob.mean, h.tob.mean / l.tob.mean};

@@ -31,8 +31,8 @@ PlaneWeight plane_weight(const simulation::Case& c) {
 }
 
 /// What the normal forces of the faces of cutters first, ..., last carry of the weight.
-double normals_of(const simulation::Case& c, const simulation::LoadFigures& f, std::size_t first,
-                  std::size_t last) {
+double normals_of(const simulation::Case& c, const simulation::LoadStatisticsSummary& f,
+                  std::size_t first, std::size_t last) {
   double sum = 0.0;
   for (const simulation::PartLoadFigures& part : f.parts)
     for (std::size_t i = first; i <= last; ++i)
@@ -48,7 +48,7 @@ struct PlaneErrors {
 
 PlaneErrors plane_errors(const simulation::Case& c) {
   const PlaneWeight plane = plane_weight(c);
-  const simulation::LoadFigures f = loads_of(c);
+  const simulation::LoadStatisticsSummary f = loads_of(c);
   const double others = normals_of(c, f, 1, c.bit.cutters.size() - 1);
   return {std::abs(f.wob.mean / plane.normals - 1.0),
           std::abs(f.wob.mean / (plane.normals + plane.helix) - 1.0),

@@ -7,7 +7,7 @@
 #include "mesh/edit.hpp"
 #include "rock/maintain/collapse.hpp"
 #include "rock/maintain/maintain.hpp"
-#include "rock/maintain/smooth.hpp"
+#include "rock/maintain/operations.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 
 /// Tables that figures of section 4.2 are drawn of: what maintenance did to small sheets of rock

@@ -6,7 +6,7 @@
 #include "claims/example_bits.hpp"
 #include "claims/rock_runs.hpp"
 #include "reference/rock/prism.hpp"
-#include "rock/cut/mapped_direction.hpp"
+#include "rock/cut/group_cut.hpp"
 #include "rock/cut/swept_part.hpp"
 #include "verification/battery/shapes.hpp"
 
@@ -69,7 +69,7 @@ Json vertex_rows(const OneStep& one, long& moved) {
   const rock::GroupMotion motion = group_motion(one.group(), one.X_WB0, one.X_WB1);
   rock::NearList near_list;
   rock::NearGroup near_group;
-  bring_up_to_date(one.s.state.rock.grid,
+  update_near_list(one.s.state.rock.grid,
                    {one.group().box_P, motion.X_WP0, motion.X_WP1, motion.region_W}, {}, near_list);
   find_candidates(one.group(), motion, one.s.state.rock.surface, near_list, -1.0, near_group);
   std::vector<int>& candidates = near_group.places;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "claims/example_bits.hpp"
-#include "core/angles.hpp"
+#include "core/types.hpp"
 #include "reference/literature/roller/wheel/briggs_bit.hpp"
 #include "reference/literature/roller/wheel/winters.hpp"
 

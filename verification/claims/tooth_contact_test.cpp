@@ -14,7 +14,7 @@ constexpr double pressing = 500.0;  // N, some 2 % of the weight on the bit
 
 /// Numbers of teeth over the steps of a revolution.
 struct Counts {
-  simulation::Spread pressing, touching;
+  simulation::RunningVariance pressing, touching;
 };
 
 void count_teeth(const simulation::Case& c, const simulation::Simulation& s, Counts& counts) {
@@ -46,7 +46,7 @@ TurnedRun second_revolution(const simulation::Case& c) {
   return run;
 }
 
-double variance(const simulation::Spread& spread) {
+double variance(const simulation::RunningVariance& spread) {
   return std::pow(simulation::deviation(spread), 2);
 }
 

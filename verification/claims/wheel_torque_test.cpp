@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "claims/example_bits.hpp"
-#include "core/angles.hpp"
+#include "core/types.hpp"
 #include "reference/literature/roller/wheel/briggs_bit.hpp"
 
 /// Chapter 2, on Briggs: a sprocket that rolls over a plastic rock.

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "bit/cutter/cutter_frame.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "claims/example_bits.hpp"
 #include "claims/rock_runs.hpp"
 

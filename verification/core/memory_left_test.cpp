@@ -28,12 +28,12 @@ TEST(MemoryLeft, is_what_the_system_would_give) {
 
 TEST(MemoryLeft, that_is_demanded_is_not_taken) {
   EXPECT_TRUE(answer_with_limit([] {
-    for (int i = 0; i < 1000; ++i) demand_memory(10'000'000);
+    for (int i = 0; i < 1000; ++i) require_allocatable(10'000'000);
     return true;
   }));
   EXPECT_TRUE(answer_with_limit([] {
     try {
-      demand_memory(200'000'000);
+      require_allocatable(200'000'000);
     } catch (const std::bad_alloc&) {
       return true;
     }

@@ -1,9 +1,9 @@
-#include "core/nearest_name.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+
+#include "core/text.hpp"
 
 namespace tdbd::nearest_name_test {
 

@@ -1,5 +1,3 @@
-#include "core/reason.hpp"
-
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
@@ -7,16 +5,16 @@
 namespace tdbd::reason_test {
 
 TEST(Reason, is_in_words) {
-  EXPECT_STREQ(reason_of(std::bad_alloc()), "out of memory");
-  EXPECT_STREQ(reason_of(RunError("the bit left the rock")), "the bit left the rock");
+  EXPECT_STREQ(error_message_of(std::bad_alloc()), "out of memory");
+  EXPECT_STREQ(error_message_of(RunError("the bit left the rock")), "the bit left the rock");
 }
 
 /// The difference between exit codes 1 and 2.
 TEST(Reason, tells_what_a_machine_lacks_from_mistakes) {
   for (const int lacking : {ENOSPC, EMFILE, ENFILE, ENOMEM, EFBIG, EIO, EROFS})
-    EXPECT_TRUE(is_shortage({lacking, std::system_category()})) << lacking;
+    EXPECT_TRUE(is_resource_error({lacking, std::system_category()})) << lacking;
   for (const int mistaken : {ENOENT, ENOTDIR, EACCES, EISDIR})
-    EXPECT_FALSE(is_shortage({mistaken, std::system_category()})) << mistaken;
+    EXPECT_FALSE(is_resource_error({mistaken, std::system_category()})) << mistaken;
 }
 
 }  // namespace tdbd::reason_test

@@ -1,10 +1,10 @@
-#include "core/wildcard.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <chrono>
 #include <string>
+
+#include "core/text.hpp"
 
 namespace tdbd::wildcard_test {
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "core/angles.hpp"
+#include "core/types.hpp"
 #include "forces/law.hpp"
-#include "forces/rock/quoted.hpp"
+#include "forces/rock/rock_material.hpp"
 
 namespace tdbd::forces {
 

@@ -4,13 +4,13 @@
 #include <set>
 
 #include "bit/cutter/cutter_table.hpp"
-#include "bit/profile/engagement.hpp"
+#include "bit/profile/bit_analysis.hpp"
 #include "core/config/csv.hpp"
 #include "core/error.hpp"
 #include "core/observed_order.hpp"
-#include "forces/fits.hpp"
 #include "forces/generate.hpp"
-#include "forces/laws/detournay.hpp"
+#include "forces/law.hpp"
+#include "forces/laws/cutter_laws.hpp"
 #include "reference/literature/drag/plane/planar_outline.hpp"
 
 namespace tdbd::forces::whole_bit_test {

@@ -1,5 +1,5 @@
 #include "bit/cutter/cutter_table.hpp"
-#include "calibration/record/read_records.hpp"
+#include "calibration/record/record.hpp"
 #include "core/error.hpp"
 #include "fuzz/readers.hpp"
 #include "fuzz/scratch_folder.hpp"

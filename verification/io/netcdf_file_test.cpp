@@ -65,11 +65,11 @@ namespace tdbd::plain_path_test {
 
 namespace fs = std::filesystem;
 
-TEST(PlainPath, names_the_same_file_without_what_stands_in_its_folders_names) {
+TEST(DescriptorPath, names_the_same_file_without_what_stands_in_its_folders_names) {
   for (const std::string name : {" ", "a\\b", "http:", "#mode=bytes"}) {
     const fs::path folder = tdbd::temporary_folder() + "tdbd_plain/" + name;
     fs::create_directories(folder);
-    const PlainPath plain(folder / "history.nc");
+    const DescriptorPath plain(folder / "history.nc");
     EXPECT_EQ(std::string(plain.c_str()).find_first_of(" \\:#"), std::string::npos);
     std::ofstream(plain.c_str()) << name;
     EXPECT_EQ(read_file(folder / "history.nc", "a text"), name);
@@ -77,13 +77,13 @@ TEST(PlainPath, names_the_same_file_without_what_stands_in_its_folders_names) {
 }
 
 /// Also without standard input, where the folder gets the number 0.
-TEST(PlainPath, leaves_no_folder_open) {
+TEST(DescriptorPath, leaves_no_folder_open) {
   const int kept = dup(STDIN_FILENO);
   for (const bool has_input : {true, false}) {
     if (!has_input) close(STDIN_FILENO);
     const int before = dup(STDERR_FILENO);
     close(before);
-    { const PlainPath plain(fs::path(tdbd::temporary_folder()) / "history.nc"); }
+    { const DescriptorPath plain(fs::path(tdbd::temporary_folder()) / "history.nc"); }
     const int after = dup(STDERR_FILENO);
     close(after);
     EXPECT_EQ(after, before) << has_input;
@@ -94,8 +94,8 @@ TEST(PlainPath, leaves_no_folder_open) {
   }
 }
 
-TEST(PlainPath, is_the_path_where_there_is_no_folder) {
-  EXPECT_STREQ(PlainPath("/no/folder/history.nc").c_str(), "/no/folder/history.nc");
+TEST(DescriptorPath, is_the_path_where_there_is_no_folder) {
+  EXPECT_STREQ(DescriptorPath("/no/folder/history.nc").c_str(), "/no/folder/history.nc");
 }
 
 }  // namespace tdbd::plain_path_test

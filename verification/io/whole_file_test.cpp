@@ -37,9 +37,9 @@ std::string message_of(F f) {
   return "nothing";
 }
 
-TEST(WholeFile, appears_with_its_commit_and_not_before) {
+TEST(AtomicFile, appears_with_its_commit_and_not_before) {
   const fs::path path = some_file("late");
-  WholeFile file(path);
+  AtomicFile file(path);
   file.stream() << "bytes";
   EXPECT_FALSE(fs::exists(path));
   EXPECT_TRUE(fs::exists(partial_path(path)));
@@ -48,27 +48,27 @@ TEST(WholeFile, appears_with_its_commit_and_not_before) {
   EXPECT_FALSE(fs::exists(partial_path(path)));
 }
 
-TEST(WholeFile, without_commit_leaves_what_was_there) {
+TEST(AtomicFile, without_commit_leaves_what_was_there) {
   const fs::path path = some_file("kept");
   write_text(path, "old");
-  { WholeFile(path).stream() << "new"; }
+  { AtomicFile(path).stream() << "new"; }
   EXPECT_EQ(read_file(path, "a file"), "old");
   EXPECT_FALSE(fs::exists(partial_path(path)));
 }
 
 /// Longer first: nothing of an older partial file stays.
-TEST(WholeFile, begins_an_older_partial_file_anew) {
+TEST(AtomicFile, begins_an_older_partial_file_anew) {
   const fs::path path = some_file("anew");
   write_text(partial_path(path), "of a run that was killed");
   write_text(path, "short");
   EXPECT_EQ(read_file(path, "a file"), "short");
 }
 
-TEST(WholeFile, says_which_file_and_why) {
+TEST(AtomicFile, says_which_file_and_why) {
   const fs::path path = "/proc/no/such.csv";
-  EXPECT_EQ(message_of([&] { WholeFile file(path); }),
+  EXPECT_EQ(message_of([&] { AtomicFile file(path); }),
             "cannot write /proc/no/such.csv: No such file or directory");
-  EXPECT_EQ(message_of([&] { put_on_disk(path); }),
+  EXPECT_EQ(message_of([&] { flush_to_disk(path); }),
             "cannot write /proc/no/such.csv: No such file or directory");
   EXPECT_EQ(message_of([&] { rename_partial(path); }),
             "cannot write /proc/no/such.csv: No such file or directory");
@@ -76,18 +76,18 @@ TEST(WholeFile, says_which_file_and_why) {
 
 /// If there is no disk behind a file, the system reports it, and closing the file does not hide the
 /// error.
-TEST(WholeFile, that_the_system_cannot_put_on_a_disk_is_told) {
-  EXPECT_EQ(message_of([] { put_on_disk("/dev/null"); }),
+TEST(AtomicFile, that_the_system_cannot_put_on_a_disk_is_told) {
+  EXPECT_EQ(message_of([] { flush_to_disk("/dev/null"); }),
             "cannot write /dev/null: Invalid argument");
 }
 
 /// After a successful call errno is meaningless: it contains an earlier error.
-TEST(WholeFile, does_not_believe_an_old_error) {
+TEST(AtomicFile, does_not_believe_an_old_error) {
   const fs::path path = some_file("old_error");
   write_text(path, "bytes");
   errno = EACCES;
-  EXPECT_EQ(message_of([&] { put_on_disk(path); }), "nothing");
-  WholeFile file(path);
+  EXPECT_EQ(message_of([&] { flush_to_disk(path); }), "nothing");
+  AtomicFile file(path);
   file.stream().setstate(std::ios::badbit);
   errno = EACCES;
   EXPECT_EQ(message_of([&] { file.commit(); }),
@@ -95,11 +95,11 @@ TEST(WholeFile, does_not_believe_an_old_error) {
 }
 
 /// It does not touch the partial file of the next writer.
-TEST(WholeFile, that_is_committed_touches_nothing_more) {
+TEST(AtomicFile, that_is_committed_touches_nothing_more) {
   const fs::path path = some_file("twice");
-  std::optional<WholeFile> first(std::in_place, path);
+  std::optional<AtomicFile> first(std::in_place, path);
   first->commit();
-  WholeFile second(path);
+  AtomicFile second(path);
   second.stream() << "second";
   first.reset();
   EXPECT_EQ(message_of([&] { second.commit(); }), "nothing");
@@ -107,7 +107,7 @@ TEST(WholeFile, that_is_committed_touches_nothing_more) {
 }
 
 /// As on full disks and over networks: the message is that of the first call that fails.
-TEST(WholeFile, tells_why_it_did_not_come_to_the_disk) {
+TEST(AtomicFile, tells_why_it_did_not_come_to_the_disk) {
   const fs::path path = some_file("lost");
   write_text(path, "bytes");
   const std::string told = "cannot write " + path.string() + ": ";
@@ -115,7 +115,7 @@ TEST(WholeFile, tells_why_it_did_not_come_to_the_disk) {
     return battery::in_a_process([&]() -> std::optional<bool> {
       if (!syncs && !battery::refuse_call(__NR_fsync, ENOSPC)) return std::nullopt;
       if (!battery::refuse_call(__NR_close, EIO)) return std::nullopt;
-      return message_of([&] { put_on_disk(path); }) == told + reason;
+      return message_of([&] { flush_to_disk(path); }) == told + reason;
     });
   };
   const auto full = tells("No space left on device", false),
@@ -126,12 +126,12 @@ TEST(WholeFile, tells_why_it_did_not_come_to_the_disk) {
 }
 
 /// A program without standard input gets its number, 0, for the next file that it opens.
-TEST(WholeFile, and_a_folder_lock_may_have_the_number_0) {
+TEST(AtomicFile, and_a_folder_lock_may_have_the_number_0) {
   const fs::path path = some_file("zero");
   write_text(path, "bytes");
   const int kept = dup(STDIN_FILENO);
   close(STDIN_FILENO);
-  EXPECT_EQ(message_of([&] { put_on_disk(path); }), "nothing");
+  EXPECT_EQ(message_of([&] { flush_to_disk(path); }), "nothing");
   EXPECT_EQ(message_of([&] { FolderLock lock(path.parent_path()); }), "nothing");
   if (kept >= 0) {
     dup2(kept, STDIN_FILENO);

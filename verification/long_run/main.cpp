@@ -85,7 +85,7 @@ std::string drill(const Case& c, Simulation& s, long end, Times& times) {
 
 bool print_row(const Simulation& s, double depth, const Times& t, long cut_steps,
                const std::string& broken) {
-  const tdbd::mesh::QualityFigures q = tdbd::mesh::quality_figures(s.state.rock.surface);
+  const tdbd::mesh::QualityStatistics q = tdbd::mesh::quality_statistics(s.state.rock.surface);
   const auto pairs =
       tdbd::reference::self_intersecting_pairs(tdbd::mesh::compact(s.state.rock.surface));
   const double removed = s.state.ledger.removed.value();

@@ -12,8 +12,6 @@
 #include "mesh/edit.hpp"
 #include "mesh/example_meshes.hpp"
 #include "mesh/measures.hpp"
-#include "mesh/sides.hpp"
-#include "mesh/vertex_star.hpp"
 #include "reference/mesh/exact_volume.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
@@ -197,12 +195,13 @@ TEST(Measures, quality_figures_are_the_worst_and_the_one_that_99_percent_exceed)
   std::vector<double> q;
   for (const auto& [a, b, c] : m.triangles)
     q.push_back(triangle_quality(m.positions[at(a)], m.positions[at(b)], m.positions[at(c)]));
-  const QualityFigures found = quality_figures(m), of_surface = quality_figures(make_surface(m));
+  const QualityStatistics found = quality_statistics(m),
+                          of_surface = quality_statistics(make_surface(m));
   EXPECT_EQ(found.least, q.back());
   EXPECT_EQ(found.one_percent, q[q.size() - 3]);
   EXPECT_EQ(of_surface.least, found.least);
   EXPECT_EQ(of_surface.one_percent, found.one_percent);
-  EXPECT_EQ(quality_figures(TriangleMesh{}).least, 0.0);
+  EXPECT_EQ(quality_statistics(TriangleMesh{}).least, 0.0);
 }
 
 auto key(const Side& s) { return std::tuple(s.lo, s.hi, s.corner, s.triangle, s.forward); }
@@ -282,7 +281,7 @@ RC_GTEST_PROP(VertexStar, equals_the_corner_table_after_any_sequence_of_edits, (
   require_stars_of_corners(s);
   for (const int choice : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1 << 20))) {
     random_edit(s, choice);
-    RC_ASSERT(stars_are_right(s));
+    RC_ASSERT(stars_are_consistent(s));
   }
   require_stars_of_corners(s);
 }
@@ -303,15 +302,15 @@ TEST(VertexStar, holds_rings_of_any_length) {
   const int middle = split_edge(s, corner_facing(s, 0, 1), Vec3(0.5, 0.0, 0.0));
   EXPECT_EQ(ring_of(s, 0).size(), all.size());
   EXPECT_EQ(ring_of(s, middle).size(), 4U);
-  EXPECT_TRUE(stars_are_right(s));
+  EXPECT_TRUE(stars_are_consistent(s));
   EXPECT_EQ(s.long_rings.size(), 1U + s.free_long_rings.size());
 }
 
 TEST(VertexStar, notices_a_star_out_of_step) {
   Surface s = make_surface(battery::bumpy_rock(1.0, 4, 0.3, 1));
-  EXPECT_TRUE(stars_are_right(s));
+  EXPECT_TRUE(stars_are_consistent(s));
   std::swap(s.stars[12].ring[0], s.stars[12].ring[1]);
-  EXPECT_FALSE(stars_are_right(s));
+  EXPECT_FALSE(stars_are_consistent(s));
 }
 
 }  // namespace tdbd::mesh::vertex_star_test

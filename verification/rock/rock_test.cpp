@@ -29,7 +29,7 @@ RC_GTEST_PROP(Rock, is_the_same_whenever_its_index_is_rebuilt, ()) {
   drill(s, bit, other, slow);
   mesh::Box box_W;
   for (int k = 0; k < 2; ++k) box_W.add(*battery::point(2.0));
-  make_index_anew(other, box_W);
+  rebuild_index(other, box_W);
   drill(s, bit, rock, report);
   drill(s, bit, other, slow);
   RC_ASSERT(mesh::positions_of(rock.surface) == mesh::positions_of(other.surface));

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 
 namespace tdbd::rotation::quaternion_test {
 

@@ -1,5 +1,3 @@
-#include "rotation/rotation_vector.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -7,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "rotation/screw.hpp"
 #include "verification/battery/generators.hpp"
 
 namespace tdbd::rotation::rotation_vector_test {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "rotation/rotation_vector.hpp"
 #include "verification/battery/generators.hpp"
 
 namespace tdbd::rotation::screw_test {

@@ -1,8 +1,7 @@
-#include "rotation/stumpff.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "rotation/quaternion.hpp"
 #include "verification/battery/dual.hpp"
 
 namespace tdbd::rotation::stumpff_test {

@@ -1,5 +1,3 @@
-#include "rotation/swing_twist.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -72,8 +70,8 @@ TEST(SwingTwist, the_series_of_f_keeps_its_digits_to_its_end) {
 TEST(SwingTwist, counts_a_winding_that_ends_at_w_above_zero) {
   const Eigen::Quaterniond from = Eigen::Quaterniond(-0.3, 0.95, 0.0, 0.05).normalized();
   const Eigen::Quaterniond to = Eigen::Quaterniond(0.1, 0.95, 0.0, -0.2).normalized();
-  EXPECT_EQ(turns_passed(from, to), 1);
-  EXPECT_EQ(turns_passed(to, from), -1);
+  EXPECT_EQ(double_turns_between(from, to), 1);
+  EXPECT_EQ(double_turns_between(to, from), -1);
 }
 
 TEST(SwingTwist, slope_of_f_is_continuous_where_its_series_ends) {
@@ -91,7 +89,7 @@ TEST(SwingTwist, counts_turns_forward_and_backward) {
     long turns = 0;
     for (int i = 0; i < 100; ++i) {
       const Eigen::Quaterniond next = q * quaternion_exp<double>(Eigen::Vector3d(0, 0, step));
-      turns += turns_passed(q, next);
+      turns += double_turns_between(q, next);
       q = next;
     }
     EXPECT_NEAR(twist_angle(q, turns), 100.0 * step, 100.0 * rounding);

@@ -8,12 +8,12 @@ FORBIDDEN = {
     r"\bs?rand\s*\(|\brand_r\b|\bdrand48\b": "rand(): use core/random.hpp",
     r"\brandom_device\b": "std::random_device: every run starts from a written seed",
     r"\bstd::\w+_distribution\b": "distributions differ between libraries: use core/random.hpp",
-    r"\bfloat\b": "float: the program computes in double (to turn vertices away: core/single.hpp)",
+    r"\bfloat\b": "float: the program computes in double (to turn vertices away: core/simd.hpp)",
     r"\bunordered_\w+": "unordered containers: their order differs between libraries",
 }
 
 # The one place that may name what it wraps.
-ALLOWED = {"src/core/single.hpp": r"\bfloat\b"}
+ALLOWED = {"src/core/simd.hpp": r"\bfloat\b"}
 
 
 def check_text(path, text):
@@ -39,8 +39,8 @@ def self_test():
         assert check_text("src/a.cpp", text), text
     for text in good:
         assert not check_text("src/a.cpp", text), text
-    assert not check_text("src/core/single.hpp", "using Single = float;")
-    assert check_text("src/core/single.hpp", "int i = rand();")
+    assert not check_text("src/core/simd.hpp", "using Single = float;")
+    assert check_text("src/core/simd.hpp", "int i = rand();")
 
 
 if __name__ == "__main__":

@@ -26,7 +26,7 @@ SUB_FOLDERS = {
     "mesh": (".", "shape", "search", "check", "files", "repair", "grade"),
     "bit": (".", "cutter", "cone", "profile", "body", "pdc", "wear", "areas", "report", "files"),
     "rock": ("index", ".", "start", "cut", "section", "maintain"),
-    "forces": ("named.hpp", "rock", "part", "laws", "."),
+    "forces": ("rock_material.hpp", "rock", "part", "laws", "."),
     "dynamics": (".", "rotation", "drilling"),
     "string": (".",),
     "simulation": ("case", "start", "step", "result", "rotate", "chain", "study"),
@@ -162,12 +162,12 @@ def self_test():
            ("reference/mesh/measures.cpp", '#include "mesh/measures.hpp"'),
            ("python/src/runs.cpp", '#include "app/arguments.hpp"'),
            ("python/src/runs.cpp", '#include "reference/bit/heel_drag.hpp"'),
-           ("src/app/run_command.cpp", '#include "python/src/options.hpp"'),
-           ("reference/dynamics/top.cpp", '#include "dynamics/momenta.hpp"')]
+           ("src/app/run_commands.cpp", '#include "python/src/options.hpp"'),
+           ("reference/dynamics/top.cpp", '#include "dynamics/gyrostat.hpp"')]
     good += [("src/rock/cut/cut_rock.cpp", '#include "rock/rock.hpp"'), ("src/rock/rock.hpp", '#include "rock/index/near_list.hpp"'),
              ("src/simulation/study/convergence.cpp", '#include "simulation/case/case.hpp"'),
-             ("src/forces/law.hpp", '#include "forces/laws/friction.hpp"'),
-             ("src/forces/rock/rock_material.cpp", '#include "forces/named.hpp"')]
+             ("src/forces/law.hpp", '#include "forces/laws/contact_laws.hpp"'),
+             ("src/forces/rock/rock_material.cpp", '#include "forces/rock/rock_material.hpp"')]
     bad += [("src/rock/index/near_list.cpp", '#include "rock/rock.hpp"'),
             ("src/rock/rock.hpp", '#include "rock/cut/cut_rock.hpp"'),
             ("src/simulation/case/case.cpp", '#include "simulation/step/simulation.hpp"'),

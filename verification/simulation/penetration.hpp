@@ -13,7 +13,7 @@ inline double deepest_penetration(const rock::Rock& rock, const rock::CuttingBit
                                   const Pose& X_WB) {
   double deepest = 0.0;
   for (const rock::CuttingGroup& g : bit.groups) {
-    if (g.presence == rock::GroupPresence::away) continue;
+    if (g.presence == rock::GroupActivity::away) continue;
     const Pose X_PW = inverse(X_WB * g.X_BP);
     for (int v = 0; v < rock.surface.vertex_slots(); ++v) {
       const Vec3 x_P = X_PW * rock.surface.position(v);

@@ -1,5 +1,3 @@
-#include "string/modes.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include "core/random.hpp"
 #include "core/types.hpp"
 #include "string/node_flow.hpp"
+#include "string/statics.hpp"
 #include "verification/string/wells.hpp"
 
 namespace tdbd::string::modes_test {
@@ -309,7 +308,7 @@ TEST(NodeFlow, one_direction_is_exact) {
   Random random{7};
   double worst = 0.0;
   for (int k = 0; k < 3000; ++k) {
-    const OneWay body{1.0, k % 4 == 0 ? 0.0 : random.uniform()};
+    const DampedBody body{1.0, k % 4 == 0 ? 0.0 : random.uniform()};
     const double sliding = random.uniform();
     const Coulomb friction{sliding * (1.0 + random.uniform()), sliding,
                            k % 2 == 0 ? 0.0 : 0.3 * random.uniform()};
@@ -326,7 +325,7 @@ TEST(NodeFlow, one_direction_is_exact) {
 TEST(NodeFlow, what_came_to_rest_is_booked_to_the_end_of_its_way) {
   const Slip from{0.5, 0.0}, force{1.0, 0.0};
   Lost lost;
-  book_flow({from, {0.0, 0.0}, force, 3.0, 1.0}, {2.0, 0.0}, {0.0, 0.0}, lost);
+  add_flow_losses({from, {0.0, 0.0}, force, 3.0, 1.0}, {2.0, 0.0}, {0.0, 0.0}, lost);
   const double way = 0.5 * 2.0 * 0.25 / (3.0 - 1.0);  // energy over what brakes
   EXPECT_DOUBLE_EQ(lost.friction, 3.0 * way);
 }

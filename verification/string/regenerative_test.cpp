@@ -6,7 +6,6 @@
 
 #include "core/types.hpp"
 #include "reference/string/characteristics.hpp"
-#include "string/modes.hpp"
 #include "string/statics.hpp"
 #include "verification/string/wells.hpp"
 

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "core/types.hpp"
+#include "string/section.hpp"
 #include "string/side_force.hpp"
 #include "string/statics.hpp"
-#include "string/survey.hpp"
 #include "verification/battery/refused_call.hpp"
 #include "verification/string/wells.hpp"
 

@@ -5,24 +5,24 @@
 /// Results of each model for a case: one function per model, in a file with its name.
 namespace tdbd::reference {
 
-Findings answer_of_tdbd(const Question& q);
+Findings run_tdbd_model(const Question& q);
 /// For bits on strings, if the model has equations of motion.
-Findings answer_of_free_langeveld(const Question& q);
-Findings answer_of_free_hanson_hansen(const Question& q);
-Findings answer_of_free_hanson_hansen_cones(const Question& q);  ///< for bits with cones
+Findings run_free_langeveld_model(const Question& q);
+Findings run_free_hanson_hansen_model(const Question& q);
+Findings run_free_hanson_hansen_cones_model(const Question& q);  ///< for bits with cones
 
-Findings answer_of_warren_sinor(const Question& q);
-Findings answer_of_behr(const Question& q);
-Findings answer_of_langeveld(const Question& q);
-Findings answer_of_hanson_hansen(const Question& q);
-Findings answer_of_hanson_hansen_cones(const Question& q);  ///< for bits with cones
-Findings answer_of_glowka(const Question& q);
-Findings answer_of_briggs(const Question& q);
-Findings answer_of_sheppard_lesage(const Question& q);
-Findings answer_of_ma_azar(const Question& q);
-Findings answer_of_ma_zhou_deng(const Question& q);
-Findings answer_of_huang_cawthorne_1(const Question& q);
-Findings answer_of_huang_cawthorne_2(const Question& q);
-Findings answer_of_winters(const Question& q);
+Findings run_warren_sinor_model(const Question& q);
+Findings run_behr_model(const Question& q);
+Findings run_langeveld_model(const Question& q);
+Findings run_hanson_hansen_model(const Question& q);
+Findings run_hanson_hansen_cones_model(const Question& q);  ///< for bits with cones
+Findings run_glowka_model(const Question& q);
+Findings run_briggs_model(const Question& q);
+Findings run_sheppard_lesage_model(const Question& q);
+Findings run_ma_azar_model(const Question& q);
+Findings run_ma_zhou_deng_model(const Question& q);
+Findings run_huang_cawthorne_1_model(const Question& q);
+Findings run_huang_cawthorne_2_model(const Question& q);
+Findings run_winters_model(const Question& q);
 
 }  // namespace tdbd::reference

@@ -28,7 +28,7 @@ void say_lateral_of(const CompareCase& c, const BehrRun& run, long first_step, F
     side += run.lateral_W[i].norm();
   }
   const double steps = static_cast<double>(run.lateral_W.size());
-  say_lateral(mean_B / steps, side / steps, f);
+  set_lateral_quantities(mean_B / steps, side / steps, f);
 }
 
 void say_areas(const CompareCase& c, const BehrRun& run, double turns, Findings& f) {
@@ -38,12 +38,12 @@ void say_areas(const CompareCase& c, const BehrRun& run, double turns, Findings&
     numbers.push_back(
         {run.mean_area(i), cutter.volume / turns, cutter.force.normal, cutter.force.cutting});
   }
-  say_cutters(c, numbers, f);
+  set_cutter_quantities(c, numbers, f);
 }
 
 }  // namespace
 
-Findings answer_of_behr(const Question& q) {
+Findings run_behr_model(const Question& q) {
   const CompareCase& c = q.asked;
   const CpuClock clock;
   const double dt = c.ours.time.step;
@@ -57,7 +57,7 @@ Findings answer_of_behr(const Question& q) {
   const BehrRun run = behr_run(state, path, from, dt, static_cast<int>(counted), *c.rock, options);
   Findings f;
   f.cost = {clock.seconds(), dt * static_cast<double>(c.ours.time.steps), c.ours.time.steps};
-  say_loads(f, {dt, run.weight, run.torque}, c.advance);
+  set_load_quantities(f, {dt, run.weight, run.torque}, c.advance);
   options.force_time = ForceTime::crossing;
   say(f, Quantity::torque_noise_by_crossing,
       noise_of(behr_run(again, path, from, dt, static_cast<int>(counted), *c.rock, options).torque,
@@ -70,9 +70,9 @@ Findings answer_of_behr(const Question& q) {
       2.0 * std::numbers::pi * c.ours.bit.gage_radius / options.planes);
   say_areas(c, run, c.options.counted_revolutions, f);
   f.bottom = BottomCircle{c.options.circle, depth_on_circle(state.bottom, c.options.circle)};
-  cannot_say(f, of_weight, "its motion is given, and no force acts back on it");
-  cannot_say(f, flats, no_wear);
-  cannot_say(f, of_cones, no_cones);
+  set_missing(f, of_weight, "its motion is given, and no force acts back on it");
+  set_missing(f, flats, no_wear);
+  set_missing(f, of_cones, no_cones);
   return f;
 }
 

@@ -36,14 +36,14 @@ inline double direction_of(const Eigen::Vector2d& force_B) {
 }
 
 /// For models on spokes with a free bit.
-inline void say_free_blanks(Findings& f) {
-  cannot_say(f, Quantity::torque_noise_by_crossing, "its cutters are felt in every step");
-  cannot_say(f, flats, no_wear);
-  cannot_say(f, of_cones, no_cones);
+inline void set_free_missing(Findings& f) {
+  set_missing(f, Quantity::torque_noise_by_crossing, "its cutters are felt in every step");
+  set_missing(f, flats, no_wear);
+  set_missing(f, of_cones, no_cones);
 }
 
 /// For models with a fixed axis: their results for a whirling bit are those of steady drilling.
-inline void note_whirl(const CompareCase& c, Findings& f) {
+inline void add_whirl_note(const CompareCase& c, Findings& f) {
   if (c.ours.motion.kind == simulation::MotionKind::whirl)
     f.notes.emplace_back("no lateral motion: the numbers are those of the bit drilling steadily");
 }

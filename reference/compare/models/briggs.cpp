@@ -43,7 +43,7 @@ void say_drilling(const BriggsDrilling& d, Findings& f) {
 
 }  // namespace
 
-Findings answer_of_briggs(const Question& q) {
+Findings run_briggs_model(const Question& q) {
   const CompareCase& c = q.asked;
   Findings f;
   if (q.weight > 0.0)
@@ -51,19 +51,19 @@ Findings answer_of_briggs(const Question& q) {
                                      coulomb_rock_of(c), q.weight, c.ours.motion.rotary_speed),
                  f);
   else
-    cannot_say(f, Quantity::cone_speed_ratio, no_weight);
-  cannot_say(f, of_weight, no_weight);
-  cannot_say(f, {Quantity::weight, Quantity::torque, Quantity::work_of_a_turn_torque},
-             "it finds the rate of a weight, not the weight of a rate");
-  cannot_say(f, lateral, "two-dimensional: it has no lateral forces");
-  cannot_say(f, noises, "a wheel's load goes up and down by teeth; three wheels have no phases");
-  cannot_say(f, Quantity::torque_noise_by_crossing, no_spokes);
-  cannot_say(f, Quantity::removed_per_revolution,
-             "one row in a plane: what others leave is unknown");
-  cannot_say(f, of_cones, "one row: the teeth of others are unknown");
-  cannot_say(f, Quantity::resolution_at_gage, "it knows no hole");
-  cannot_say(f, Quantity::share_moved_backwards, no_cutters);
-  cannot_say(f, flats, no_wear);
+    set_missing(f, Quantity::cone_speed_ratio, no_weight);
+  set_missing(f, of_weight, no_weight);
+  set_missing(f, {Quantity::weight, Quantity::torque, Quantity::work_of_a_turn_torque},
+              "it finds the rate of a weight, not the weight of a rate");
+  set_missing(f, lateral, "two-dimensional: it has no lateral forces");
+  set_missing(f, noises, "a wheel's load goes up and down by teeth; three wheels have no phases");
+  set_missing(f, Quantity::torque_noise_by_crossing, no_spokes);
+  set_missing(f, Quantity::removed_per_revolution,
+              "one row in a plane: what others leave is unknown");
+  set_missing(f, of_cones, "one row: the teeth of others are unknown");
+  set_missing(f, Quantity::resolution_at_gage, "it knows no hole");
+  set_missing(f, Quantity::share_moved_backwards, no_cutters);
+  set_missing(f, flats, no_wear);
   return f;
 }
 

@@ -97,8 +97,8 @@ ConesRun run_cones(HansonHansenCones& m, const ConesCount& n) {
   return run;
 }
 
-void say_cones_run(const CompareCase& c, const HansonHansenCones& m, const ConesRun& run,
-                   double weight, double turns, Findings& f) {
+void set_cones_run_quantities(const CompareCase& c, const HansonHansenCones& m, const ConesRun& run,
+                              double weight, double turns, Findings& f) {
   const ConesSums& s = run.sums;
   const double steps = static_cast<double>(s.contacts.size());
   const Noise contacts = noise_of(s.contacts, 1);
@@ -112,18 +112,18 @@ void say_cones_run(const CompareCase& c, const HansonHansenCones& m, const Cones
   say(f, Quantity::removed_per_revolution, removed / turns);
   say_cone_speeds(c, m, run, f);
   const ToothNumbers& teeth = s.teeth;
-  say_tooth_numbers(c, m.bit,
-                    {over(teeth.force, steps), teeth.largest, over(teeth.contacts, steps),
-                     over(run.removed, turns)},
-                    f);
+  set_tooth_quantities(c, m.bit,
+                       {over(teeth.force, steps), teeth.largest, over(teeth.contacts, steps),
+                        over(run.removed, turns)},
+                       f);
   say(f, Quantity::resolution_at_gage,
       turn_of_cones_bit * c.ours.bit.gage_radius / c.options.spokes);
   f.bottom = cones_bottom(c, m);
   f.series = s.series;
-  cannot_say(f, Quantity::torque_noise_by_crossing,
-             "its teeth press between spokes too: none waits for a crossing");
-  cannot_say(f, Quantity::share_moved_backwards, no_cutters);
-  cannot_say(f, flats, no_wear);
+  set_missing(f, Quantity::torque_noise_by_crossing,
+              "its teeth press between spokes too: none waits for a crossing");
+  set_missing(f, Quantity::share_moved_backwards, no_cutters);
+  set_missing(f, flats, no_wear);
 }
 
 }  // namespace tdbd::reference

@@ -37,7 +37,7 @@ ConesRun run_cones(HansonHansenCones& m, const ConesCount& n);
 
 /// Sets the results for teeth, rows, cones, lateral forces over `weight` (N), bottom and run time,
 /// but not weight, torque, noise and rate. Volumes are those of `turns` revolutions of the bit.
-void say_cones_run(const CompareCase& c, const HansonHansenCones& m, const ConesRun& run,
-                   double weight, double turns, Findings& f);
+void set_cones_run_quantities(const CompareCase& c, const HansonHansenCones& m, const ConesRun& run,
+                              double weight, double turns, Findings& f);
 
 }  // namespace tdbd::reference

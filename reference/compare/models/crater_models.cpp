@@ -99,10 +99,10 @@ Findings findings_of(const Question& q, const RollerBit& bit, const RollerRun& r
   say(f, Quantity::resolution_at_gage, run.bottom.cell());
   say_steps(c, run, schedule, f);
   say_cones_of_run(c, run, f);
-  say_tooth_numbers(c, bit,
-                    {run.tooth_force, run.tooth_largest, run.tooth_contacts,
-                     over(run.tooth_volume, schedule.revolutions)},
-                    f);
+  set_tooth_quantities(c, bit,
+                       {run.tooth_force, run.tooth_largest, run.tooth_contacts,
+                        over(run.tooth_volume, schedule.revolutions)},
+                       f);
   f.bottom = circle_of(c, run.bottom);
   f.cost.steps = static_cast<long>(run.series.time.size());
   f.cost.simulated = schedule.step * static_cast<double>(f.cost.steps);
@@ -113,17 +113,17 @@ Findings findings_of(const Question& q, const RollerBit& bit, const RollerRun& r
   if (run.beyond_law > 0)
     f.notes.push_back("teeth went deeper than the table's last row in " +
                       std::to_string(run.beyond_law) + " tooth-steps");
-  cannot_say(f, {Quantity::weight, Quantity::torque, Quantity::work_of_a_turn_torque},
-             "it finds the rate of a weight, not the weight of a rate");
-  cannot_say(f, {Quantity::imbalance, Quantity::imbalance_direction},
-             "its bit keeps to the hole's axis: what pushes it aside is not summed in its frame");
-  cannot_say(f, Quantity::torque_noise_by_crossing, no_spokes);
-  cannot_say(f, Quantity::share_moved_backwards, no_cutters);
-  cannot_say(f, flats, no_wear);
+  set_missing(f, {Quantity::weight, Quantity::torque, Quantity::work_of_a_turn_torque},
+              "it finds the rate of a weight, not the weight of a rate");
+  set_missing(f, {Quantity::imbalance, Quantity::imbalance_direction},
+              "its bit keeps to the hole's axis: what pushes it aside is not summed in its frame");
+  set_missing(f, Quantity::torque_noise_by_crossing, no_spokes);
+  set_missing(f, Quantity::share_moved_backwards, no_cutters);
+  set_missing(f, flats, no_wear);
   return f;
 }
 
-Findings answer_of_patent(const Question& q, PatentWay way) {
+Findings run_patent_model(const Question& q, PatentMethod way) {
   const RollerBit bit = roller_bit_of(q.asked.ours.bit, "Huang and Cawthorne");
   HuangCawthorneOptions options;
   options.way = way;
@@ -136,7 +136,7 @@ Findings answer_of_patent(const Question& q, PatentWay way) {
 
 }  // namespace
 
-Findings answer_of_ma_zhou_deng(const Question& q) {
+Findings run_ma_zhou_deng_model(const Question& q) {
   const RollerBit bit = roller_bit_of(q.asked.ours.bit, "Ma, Zhou and Deng");
   MaZhouDengOptions options;
   take_case(q.asked, bit, options.drilling);
@@ -145,12 +145,12 @@ Findings answer_of_ma_zhou_deng(const Question& q) {
   return findings_of(q, bit, ma_zhou_deng(bit, table, schedule, options), schedule);
 }
 
-Findings answer_of_huang_cawthorne_1(const Question& q) {
-  return answer_of_patent(q, PatentWay::first);
+Findings run_huang_cawthorne_1_model(const Question& q) {
+  return run_patent_model(q, PatentMethod::first);
 }
 
-Findings answer_of_huang_cawthorne_2(const Question& q) {
-  return answer_of_patent(q, PatentWay::second);
+Findings run_huang_cawthorne_2_model(const Question& q) {
+  return run_patent_model(q, PatentMethod::second);
 }
 
 }  // namespace tdbd::reference

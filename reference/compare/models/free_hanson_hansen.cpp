@@ -59,19 +59,19 @@ FreeModel running(HansonHansenPdc& m) {
 
 }  // namespace
 
-Findings answer_of_free_hanson_hansen(const Question& q) {
+Findings run_free_hanson_hansen_model(const Question& q) {
   const CompareCase& c = q.asked;
-  if (!c.ours.bit.cones.empty()) return answer_of_free_hanson_hansen_cones(q);
+  if (!c.ours.bit.cones.empty()) return run_free_hanson_hansen_cones_model(q);
   constexpr StringTerms terms = StringTerms::springs_and_dampers;
   HansonHansenPdc m = hanson_hansen_model(c, free_string(c, terms, "Hanson and Hansen"));
   Findings f;
-  drive_and_say(c, running(m), f);
+  run_free_model(c, running(m), f);
   say(f, Quantity::resolution_at_gage,
       2.0 * std::numbers::pi * c.ours.bit.gage_radius / c.options.spokes);
   const Spokes bottom = deepest(m.bottom, spoke_reach(c), free_depth_nodes);
   f.bottom = BottomCircle{c.options.circle, depth_on_circle(bottom, c.options.circle)};
   f.notes.push_back(left_out(c, terms));
-  say_free_blanks(f);
+  set_free_missing(f);
   return f;
 }
 

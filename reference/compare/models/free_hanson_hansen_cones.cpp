@@ -54,7 +54,7 @@ FreeMotion motion_of(const HansonHansenCones& m, const ConesRun& run) {
 
 }  // namespace
 
-Findings answer_of_free_hanson_hansen_cones(const Question& q) {
+Findings run_free_hanson_hansen_cones_model(const Question& q) {
   const CompareCase& c = q.asked;
   constexpr StringTerms terms = StringTerms::springs_and_dampers;
   const RollerBit bit = roller_bit_of(c.ours.bit, "Hanson and Hansen");
@@ -64,10 +64,10 @@ Findings answer_of_free_hanson_hansen_cones(const Question& q) {
   const ConesRun run = run_cones(m, n);
   const FreeMotion motion = motion_of(m, run);
   Findings f;
-  say_loads(f, run.sums.series, found_advance(motion));
-  say_free_motion(c, motion, f);
-  say_cones_run(c, m, run, *saying(f, Quantity::weight).value,
-                motion.turned / (2.0 * std::numbers::pi), f);
+  set_load_quantities(f, run.sums.series, found_advance(motion));
+  set_free_motion_quantities(c, motion, f);
+  set_cones_run_quantities(c, m, run, *saying(f, Quantity::weight).value,
+                           motion.turned / (2.0 * std::numbers::pi), f);
   f.cost.steps = n.before + n.counted;
   f.cost.simulated = m.step * static_cast<double>(f.cost.steps);
   f.notes.push_back(left_out(c, terms));

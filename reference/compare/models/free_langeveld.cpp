@@ -65,7 +65,7 @@ double hole_volume(const Spokes& bottom) {
 
 }  // namespace
 
-Findings answer_of_free_langeveld(const Question& q) {
+Findings run_free_langeveld_model(const Question& q) {
   const CompareCase& c = q.asked;
   Langeveld m = langeveld_model(c, free_string(c, StringTerms::springs, "Langeveld"));
   FreeModel model;
@@ -81,13 +81,13 @@ Findings answer_of_free_langeveld(const Question& q) {
   model.area = &m.load.cutter_area;
   model.torque = &m.load.torque;
   Findings f;
-  drive_and_say(c, model, f);
+  run_free_model(c, model, f);
   say(f, Quantity::resolution_at_gage,
       2.0 * std::numbers::pi * c.ours.bit.gage_radius / c.options.spokes);
   f.bottom = BottomCircle{c.options.circle, depth_on_circle(m.rock.bottom, c.options.circle)};
   f.notes.push_back(left_out(c, StringTerms::springs));
   if (c.tips) f.notes.emplace_back(law_of_tips);
-  say_free_blanks(f);
+  set_free_missing(f);
   return f;
 }
 

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "bit/cutter/cutter_frame.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "core/error.hpp"
 #include "reference/compare/models/led_bit.hpp"
 #include "reference/literature/drag/spokes/spoke_cutter.hpp"
@@ -74,10 +74,10 @@ void say_free_sums(const CompareCase& c, const FreeSums& sums, const FreeMotion&
                    Findings& f) {
   const double steps = static_cast<double>(motion.steps);
   const double tips = steps * static_cast<double>(sums.area.size());
-  say_loads(f, sums.series, found_advance(motion));
-  say_lateral(sums.lateral_B / steps, sums.side / steps, f);
+  set_load_quantities(f, sums.series, found_advance(motion));
+  set_lateral_quantities(sums.lateral_B / steps, sums.side / steps, f);
   say(f, Quantity::share_moved_backwards, static_cast<double>(sums.backwards) / tips);
-  say_free_motion(c, motion, f);
+  set_free_motion_quantities(c, motion, f);
   say_free_cutters(c, sums, f);
 }
 
@@ -85,17 +85,17 @@ void say_free_sums(const CompareCase& c, const FreeSums& sums, const FreeMotion&
 
 double found_advance(const FreeMotion& m) { return m.sunk / m.turned * free_circle; }
 
-void say_free_motion(const CompareCase& c, const FreeMotion& m, Findings& f) {
+void set_free_motion_quantities(const CompareCase& c, const FreeMotion& m, Findings& f) {
   const double rate = m.sunk / m.duration;
   say(f, Quantity::rate_of_penetration, rate);
   say(f, Quantity::whirl_radius, std::sqrt(m.squares / static_cast<double>(m.steps)));
   if (!c.options.weight_on_bit)
-    return cannot_say(f, of_weight, "the top goes down at a given rate: the weight is the result");
+    return set_missing(f, of_weight, "the top goes down at a given rate: the weight is the result");
   say(f, Quantity::rate_at_weight, rate);
   say(f, Quantity::torque_at_weight, *saying(f, Quantity::torque).value);
 }
 
-void drive_and_say(const CompareCase& c, const FreeModel& model, Findings& f) {
+void run_free_model(const CompareCase& c, const FreeModel& model, Findings& f) {
   const long total = c.ours.time.steps - c.ours.time.first, counted = counted_steps(c);
   const std::size_t cutters = c.ours.bit.cutters.size();
   const double h = c.ours.time.step;

@@ -23,7 +23,7 @@ double found_advance(const FreeMotion& m);
 
 /// Sets the computed rate of penetration, the whirl and, if the top prescribes a load, the results
 /// at a weight. `torque`: N m.
-void say_free_motion(const CompareCase& c, const FreeMotion& m, Findings& f);
+void set_free_motion_quantities(const CompareCase& c, const FreeMotion& m, Findings& f);
 
 /// Pose of an upright bit in the rock, and its velocity: m/s, rad/s.
 struct FreeInstant {
@@ -45,6 +45,6 @@ struct FreeModel {
 
 /// Runs the case's duration and sets all results of such a model except the bottom. Throws
 /// InputError if the motion diverges.
-void drive_and_say(const CompareCase& c, const FreeModel& model, Findings& f);
+void run_free_model(const CompareCase& c, const FreeModel& model, Findings& f);
 
 }  // namespace tdbd::reference

@@ -50,7 +50,7 @@ GlowkaLoads loads_at(const Asked& a, double advance) {
 }
 
 void say_glowka_at_weight(const Asked& a, double weight, Findings& f) {
-  if (weight <= 0.0) return cannot_say(f, of_weight, no_weight);
+  if (weight <= 0.0) return set_missing(f, of_weight, no_weight);
   const double speed = a.c.ours.motion.rotary_speed;
   GlowkaLoads loads;
   const double advance = glowka_under_weight(a.bit, a.law, a.heat, a.sharp, weight, speed, loads);
@@ -66,14 +66,14 @@ void say_loads_of_cutters(const Asked& a, const GlowkaLoads& loads, Findings& f)
     f.parts.push_back({simulation::cutter_name(a.bit.cutters[i]), a.bit.cutters[i].tip_radius,
                        PartQuantity::bending_moment, cutter.moment_B.head<2>().norm()});
   }
-  say_cutters(a.c, numbers, f);
+  set_cutter_quantities(a.c, numbers, f);
 }
 
 /// Sets flats and temperatures after the case's distance.
 void say_wear(const Asked& a, Findings& f) {
   const GlowkaSettings& s = a.c.options.glowka;
   if (!s.flat_stress || !s.wear_coefficient)
-    return cannot_say(f, flats, "needs compare.glowka.flat_stress and wear_coefficient");
+    return set_missing(f, flats, "needs compare.glowka.flat_stress and wear_coefficient");
   WearLaw wear;
   wear.coefficient = *s.wear_coefficient;
   GlowkaWearOptions options;
@@ -101,25 +101,25 @@ void say_wear(const Asked& a, Findings& f) {
 
 }  // namespace
 
-Findings answer_of_glowka(const Question& q) {
+Findings run_glowka_model(const Question& q) {
   const CompareCase& c = q.asked;
   const Asked a{c, glowka_bit(c.ours.bit.cutters), law_of(c), heat_of(c.options.glowka),
                 std::vector<double>(c.ours.bit.cutters.size())};
   const GlowkaLoads loads = loads_at(a, c.advance);
   Findings f;
-  say_steady_loads(f, loads.weight, loads.torque, c.advance);
+  set_steady_load_quantities(f, loads.weight, loads.torque, c.advance);
   const Eigen::Vector2d lateral_B = loads.force_B.head<2>();
-  say_lateral(lateral_B, lateral_B.norm(), f);
+  set_lateral_quantities(lateral_B, lateral_B.norm(), f);
   double removed = 0.0;
   for (const GlowkaCutterLoad& cutter : loads.cutters) removed += cutter.volume;
   say(f, Quantity::removed_per_revolution, removed);
   say_loads_of_cutters(a, loads, f);
   say_glowka_at_weight(a, q.weight, f);
   say_wear(a, f);
-  cannot_say(f, Quantity::share_moved_backwards, "the bit turns about a fixed axis");
-  cannot_say(f, Quantity::resolution_at_gage, "one plane stands for the whole bottom");
-  cannot_say(f, of_cones, no_cones);
-  note_whirl(c, f);
+  set_missing(f, Quantity::share_moved_backwards, "the bit turns about a fixed axis");
+  set_missing(f, Quantity::resolution_at_gage, "one plane stands for the whole bottom");
+  set_missing(f, of_cones, no_cones);
+  add_whirl_note(c, f);
   return f;
 }
 

@@ -12,9 +12,9 @@ constexpr int depth_nodes = 2000;  // of the bottom as a function of r
 
 }  // namespace
 
-Findings answer_of_hanson_hansen(const Question& q) {
+Findings run_hanson_hansen_model(const Question& q) {
   const CompareCase& c = q.asked;
-  if (!c.ours.bit.cones.empty()) return answer_of_hanson_hansen_cones(q);
+  if (!c.ours.bit.cones.empty()) return run_hanson_hansen_cones_model(q);
   const std::vector<SpokeCutter> cutters = spoke_cutters(c.ours.bit.cutters, "Hanson and Hansen");
   const HansonHansenRock law = hanson_hansen_rock(c);
   PathOptions options;
@@ -27,14 +27,14 @@ Findings answer_of_hanson_hansen(const Question& q) {
   const double reach = spoke_reach(c);
   const PathRun run = hanson_hansen_path(cutters, law, rock, path_of(c), options);
   Findings f;
-  say_led_run(c, run, f);
+  set_path_run_quantities(c, run, f);
   say(f, Quantity::resolution_at_gage,
       2.0 * std::numbers::pi * c.ours.bit.gage_radius / c.options.spokes);
   f.bottom = BottomCircle{c.options.circle,
                           depth_on_circle(deepest(rock, reach, depth_nodes), c.options.circle)};
-  cannot_say(f, of_weight, given_rate);
-  cannot_say(f, flats, no_wear);
-  cannot_say(f, of_cones, no_cones);
+  set_missing(f, of_weight, given_rate);
+  set_missing(f, flats, no_wear);
+  set_missing(f, of_cones, no_cones);
   return f;
 }
 

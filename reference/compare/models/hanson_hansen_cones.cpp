@@ -67,7 +67,7 @@ void note_schedule(const CompareCase& c, const HansonHansenCones& m, const Cones
 
 }  // namespace
 
-Findings answer_of_hanson_hansen_cones(const Question& q) {
+Findings run_hanson_hansen_cones_model(const Question& q) {
   const CompareCase& c = q.asked;
   const RollerBit bit = roller_bit_of(c.ours.bit, "Hanson and Hansen");
   if (q.weight <= 0.0)
@@ -79,12 +79,12 @@ Findings answer_of_hanson_hansen_cones(const Question& q) {
   const ConesRun run = run_cones(m, n);
   Findings f;
   say_drilled(m, run, f);
-  say_cones_run(c, m, run, q.weight, c.options.counted_revolutions, f);
+  set_cones_run_quantities(c, m, run, q.weight, c.options.counted_revolutions, f);
   f.cost.steps = n.before + n.counted;
   f.cost.simulated = m.step * static_cast<double>(f.cost.steps);
   note_schedule(c, m, n, f);
-  cannot_say(f, {Quantity::weight, Quantity::torque, Quantity::work_of_a_turn_torque},
-             "it finds the rate of a weight, not the weight of a rate");
+  set_missing(f, {Quantity::weight, Quantity::torque, Quantity::work_of_a_turn_torque},
+              "it finds the rate of a weight, not the weight of a rate");
   return f;
 }
 

@@ -30,7 +30,7 @@ LangeveldContact contact_of(const CompareCase& c, const std::vector<SpokeCutter>
 
 }  // namespace
 
-Findings answer_of_langeveld(const Question& q) {
+Findings run_langeveld_model(const Question& q) {
   const CompareCase& c = q.asked;
   const std::vector<SpokeCutter> cutters = spoke_cutters(c.ours.bit.cutters, "Langeveld");
   LangeveldRock rock = rock_around(c, cutters);
@@ -41,14 +41,14 @@ Findings answer_of_langeveld(const Question& q) {
   const PathRun run = langeveld_path(cutters, c.tips ? *c.tips : *c.rock, rock, path_of(c), options,
                                      contact_of(c, cutters));
   Findings f;
-  say_led_run(c, run, f);
+  set_path_run_quantities(c, run, f);
   say(f, Quantity::resolution_at_gage,
       2.0 * std::numbers::pi * c.ours.bit.gage_radius / c.options.spokes);
   f.bottom = BottomCircle{c.options.circle, depth_on_circle(rock.bottom, c.options.circle)};
   if (c.tips) f.notes.emplace_back(law_of_tips);
-  cannot_say(f, of_weight, given_rate);
-  cannot_say(f, flats, no_wear);
-  cannot_say(f, of_cones, no_cones);
+  set_missing(f, of_weight, given_rate);
+  set_missing(f, flats, no_wear);
+  set_missing(f, of_cones, no_cones);
   return f;
 }
 

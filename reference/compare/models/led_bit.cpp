@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bit/cutter/cutter_frame.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "reference/compare/models/blanks.hpp"
 #include "simulation/step/measure.hpp"
 
@@ -32,7 +32,8 @@ CutterNumbers forces_of(const bit::Cutter& cutter, const Vec3& force_B) {
   return {0.0, 0.0, -force_B.dot(bit::profile_normal_B(cutter)), -force_B.dot(forward)};
 }
 
-void say_cutters(const CompareCase& c, const std::vector<CutterNumbers>& cutters, Findings& f) {
+void set_cutter_quantities(const CompareCase& c, const std::vector<CutterNumbers>& cutters,
+                           Findings& f) {
   for (std::size_t i = 0; i < cutters.size(); ++i) {
     const bit::Cutter& cutter = c.ours.bit.cutters[i];
     const auto tell = [&](PartQuantity q, double value) {
@@ -45,7 +46,7 @@ void say_cutters(const CompareCase& c, const std::vector<CutterNumbers>& cutters
   }
 }
 
-void say_lateral(const Eigen::Vector2d& mean_B, double side, Findings& f) {
+void set_lateral_quantities(const Eigen::Vector2d& mean_B, double side, Findings& f) {
   say(f, Quantity::imbalance, mean_B.norm() / *saying(f, Quantity::weight).value);
   say(f, Quantity::imbalance_direction, direction_of(mean_B));
   say(f, Quantity::side_force, side);
@@ -56,13 +57,13 @@ std::vector<double> last_of(const std::vector<double>& values, long count) {
   return {values.end() - keep, values.end()};
 }
 
-void say_led_run(const CompareCase& c, const PathRun& run, Findings& f) {
+void set_path_run_quantities(const CompareCase& c, const PathRun& run, Findings& f) {
   const long counted = counted_steps(c);
-  say_loads(f,
-            {c.ours.time.step, last_of(run.wob_spread, counted), last_of(run.tob_spread, counted)},
-            c.advance);
+  set_load_quantities(
+      f, {c.ours.time.step, last_of(run.wob_spread, counted), last_of(run.tob_spread, counted)},
+      c.advance);
   say(f, Quantity::torque_noise_by_crossing, noise_of(last_of(run.tob_by_step, counted), 1).share);
-  say_lateral(run.lateral_B.head<2>(), run.side, f);
+  set_lateral_quantities(run.lateral_B.head<2>(), run.side, f);
   say(f, Quantity::removed_per_revolution, run.lowered);
   say(f, Quantity::share_moved_backwards, run.backwards);
   std::vector<CutterNumbers> numbers(run.area.size());
@@ -71,7 +72,7 @@ void say_led_run(const CompareCase& c, const PathRun& run, Findings& f) {
     numbers[i].area = run.area[i];
     numbers[i].volume = run.volume[i];
   }
-  say_cutters(c, numbers, f);
+  set_cutter_quantities(c, numbers, f);
   f.cost.steps = run.steps;
   f.cost.simulated = c.ours.time.step * static_cast<double>(run.steps);
 }

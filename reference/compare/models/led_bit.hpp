@@ -26,17 +26,18 @@ struct CutterNumbers {
 /// normal, and against its direction of motion.
 CutterNumbers forces_of(const bit::Cutter& cutter, const Vec3& force_B);
 
-void say_cutters(const CompareCase& c, const std::vector<CutterNumbers>& cutters, Findings& f);
+void set_cutter_quantities(const CompareCase& c, const std::vector<CutterNumbers>& cutters,
+                           Findings& f);
 
 /// Sets the imbalance from the mean lateral force in the bit's frame, and the side force from the
 /// mean of its magnitude over the steps, N.
-void say_lateral(const Eigen::Vector2d& mean_B, double side, Findings& f);
+void set_lateral_quantities(const Eigen::Vector2d& mean_B, double side, Findings& f);
 
 /// The last `count` values.
 std::vector<double> last_of(const std::vector<double>& values, long count);
 
 /// Sets all results of a run on a prescribed path: loads, noise, cutters, removed rock, number of
 /// steps.
-void say_led_run(const CompareCase& c, const PathRun& run, Findings& f);
+void set_path_run_quantities(const CompareCase& c, const PathRun& run, Findings& f);
 
 }  // namespace tdbd::reference

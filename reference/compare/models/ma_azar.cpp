@@ -26,7 +26,7 @@ ContactSchedule contact_schedule(const CompareCase& c, const RollerBit& bit) {
 void say_contacts(const CompareCase& c, const RollerBit& bit, const ContactRun& run, Findings& f) {
   say(f, Quantity::teeth_in_contact, run.mean);
   say(f, Quantity::teeth_in_contact_variance, run.variance);
-  say_teeth_and_sums(c, bit, PartQuantity::teeth_in_contact, run.tooth_share, f);
+  set_tooth_values_and_sums(c, bit, PartQuantity::teeth_in_contact, run.tooth_share, f);
 }
 
 /// The result of the closed form, if the bit satisfies its assumptions.
@@ -43,7 +43,7 @@ std::string statistics_of(const RollerBit& bit, const ContactSchedule& s) {
 
 }  // namespace
 
-Findings answer_of_ma_azar(const Question& q) {
+Findings run_ma_azar_model(const Question& q) {
   const CompareCase& c = q.asked;
   const RollerBit bit = roller_bit_of(c.ours.bit, "Ma and Azar");
   const ContactSchedule schedule = contact_schedule(c, bit);
@@ -56,17 +56,17 @@ Findings answer_of_ma_azar(const Question& q) {
       "given, not found: cones at {:.4f} of the bit's speed, all rows {:.3g} mm in a flat bottom",
       schedule.ratios.front(), 1e3 * schedule.penetration));
   f.notes.push_back(statistics_of(bit, schedule));
-  cannot_say(f, {Quantity::weight, Quantity::torque, Quantity::work_of_a_turn_torque},
-             "kinematics and counting: it has no forces");
-  cannot_say(f, of_weight, "kinematics and counting: it has no forces");
-  cannot_say(f, lateral, "kinematics and counting: it has no forces");
-  cannot_say(f, noises, "kinematics and counting: it has no forces");
-  cannot_say(f, Quantity::torque_noise_by_crossing, no_spokes);
-  cannot_say(f, Quantity::removed_per_revolution, "its bottom is flat and stays so");
-  cannot_say(f, Quantity::cone_speed_ratio, "cone speeds are its input");
-  cannot_say(f, Quantity::resolution_at_gage, "it keeps no bottom");
-  cannot_say(f, Quantity::share_moved_backwards, no_cutters);
-  cannot_say(f, flats, no_wear);
+  set_missing(f, {Quantity::weight, Quantity::torque, Quantity::work_of_a_turn_torque},
+              "kinematics and counting: it has no forces");
+  set_missing(f, of_weight, "kinematics and counting: it has no forces");
+  set_missing(f, lateral, "kinematics and counting: it has no forces");
+  set_missing(f, noises, "kinematics and counting: it has no forces");
+  set_missing(f, Quantity::torque_noise_by_crossing, no_spokes);
+  set_missing(f, Quantity::removed_per_revolution, "its bottom is flat and stays so");
+  set_missing(f, Quantity::cone_speed_ratio, "cone speeds are its input");
+  set_missing(f, Quantity::resolution_at_gage, "it keeps no bottom");
+  set_missing(f, Quantity::share_moved_backwards, no_cutters);
+  set_missing(f, flats, no_wear);
   return f;
 }
 

@@ -59,7 +59,7 @@ void say_cones_of_bands(const CompareCase& c, const Bands& bands, const Sheppard
 
 }  // namespace
 
-Findings answer_of_sheppard_lesage(const Question& q) {
+Findings run_sheppard_lesage_model(const Question& q) {
   const CompareCase& c = q.asked;
   const RollerSettings& s = c.options.roller;
   const Bands bands = bands_of(roller_bit_of(c.ours.bit, "Sheppard and Lesage"));
@@ -81,7 +81,7 @@ Findings answer_of_sheppard_lesage(const Question& q) {
         "and rate are no predictions",
         1e-6 * rock.specific_energy));
   }
-  say_steady_loads(f, found.weight, found.torque, c.advance);
+  set_steady_load_quantities(f, found.weight, found.torque, c.advance);
   say(f, Quantity::removed_per_revolution,
       found.volume_rate * 2.0 * std::numbers::pi / c.ours.motion.rotary_speed);
   say_cones_of_bands(c, bands, found, f);
@@ -94,13 +94,13 @@ Findings answer_of_sheppard_lesage(const Question& q) {
     say(f, Quantity::rate_at_weight, under.rate);
     say(f, Quantity::torque_at_weight, under.torque);
   }
-  cannot_say(f, of_weight, no_weight);
-  cannot_say(f, lateral, "thesis 2.2 tells of no lateral forces");
-  cannot_say(f, {Quantity::teeth_in_contact, Quantity::teeth_in_contact_variance},
-             "rows are smooth bands: it has no teeth");
-  cannot_say(f, Quantity::resolution_at_gage, "it keeps no bottom");
-  cannot_say(f, Quantity::share_moved_backwards, no_cutters);
-  cannot_say(f, flats, no_wear);
+  set_missing(f, of_weight, no_weight);
+  set_missing(f, lateral, "thesis 2.2 tells of no lateral forces");
+  set_missing(f, {Quantity::teeth_in_contact, Quantity::teeth_in_contact_variance},
+              "rows are smooth bands: it has no teeth");
+  set_missing(f, Quantity::resolution_at_gage, "it keeps no bottom");
+  set_missing(f, Quantity::share_moved_backwards, no_cutters);
+  set_missing(f, flats, no_wear);
   return f;
 }
 

@@ -35,7 +35,7 @@ BottomCircle bottom_of(const CompareCase& c, const Simulation& s) {
   return {c.options.circle, nodes.depth};
 }
 
-void say_lateral(const TdbdSums& sums, Findings& f) {
+void set_lateral_quantities(const TdbdSums& sums, Findings& f) {
   const double steps = static_cast<double>(sums.series.weight.size());
   const Eigen::Vector2d lateral_B = sums.lateral_B / steps;
   say(f, Quantity::imbalance, lateral_B.norm() / *saying(f, Quantity::weight).value);
@@ -43,11 +43,11 @@ void say_lateral(const TdbdSums& sums, Findings& f) {
   say(f, Quantity::side_force, sums.side / steps);
 }
 
-void say_cutters(const CompareCase& c, const TdbdSums& sums, Findings& f) {
+void set_cutter_quantities(const CompareCase& c, const TdbdSums& sums, Findings& f) {
   const double cutters = static_cast<double>(c.ours.bit.cutters.size());
   const double steps = static_cast<double>(sums.series.weight.size());
   say(f, Quantity::share_moved_backwards, static_cast<double>(sums.backwards) / cutters / steps);
-  cannot_say(f, of_cones, no_cones);
+  set_missing(f, of_cones, no_cones);
 }
 
 void say_cones(const CompareCase& c, const TdbdSums& sums, const Reading& from, const Reading& to,
@@ -62,18 +62,18 @@ void say_cones(const CompareCase& c, const TdbdSums& sums, const Reading& from, 
   const Noise contacts = noise_of(sums.teeth, 1);
   say(f, Quantity::teeth_in_contact, contacts.mean);
   say(f, Quantity::teeth_in_contact_variance, std::pow(contacts.share * contacts.mean, 2));
-  cannot_say(f, Quantity::share_moved_backwards, no_cutters);
+  set_missing(f, Quantity::share_moved_backwards, no_cutters);
 }
 
 void say_what_it_cannot(Findings& f) {
-  cannot_say(f, of_weight,
-             "it drills at a given rate here; motion.kind = \"drilling\" finds a weight's rate");
-  cannot_say(f, flats, "its cutters do not wear while they drill");
+  set_missing(f, of_weight,
+              "it drills at a given rate here; motion.kind = \"drilling\" finds a weight's rate");
+  set_missing(f, flats, "its cutters do not wear while they drill");
 }
 
 }  // namespace
 
-Findings answer_of_tdbd(const Question& q) {
+Findings run_tdbd_model(const Question& q) {
   const CompareCase& c = q.asked;
   Findings f;
   Simulation s = simulation::start(c.ours);
@@ -92,17 +92,17 @@ Findings answer_of_tdbd(const Question& q) {
     volumes[i] = (volumes[i] - from.removed[i]) / turns;
   const FreeMotion motion{to.z - from.z, to.turned - from.turned, sums.squares,
                           static_cast<double>(counted) * c.ours.time.step, counted};
-  say_loads(f, sums.series, is_free(c) ? found_advance(motion) : c.advance);
-  if (is_free(c)) say_free_motion(c, motion, f);
-  say_lateral(sums, f);
+  set_load_quantities(f, sums.series, is_free(c) ? found_advance(motion) : c.advance);
+  if (is_free(c)) set_free_motion_quantities(c, motion, f);
+  set_lateral_quantities(sums, f);
   say(f, Quantity::removed_per_revolution, (to.removed_in_all - from.removed_in_all) / turns);
   say(f, Quantity::resolution_at_gage, c.ours.rock.edge_length);
-  say_pieces(c.ours, sums, volumes, f);
+  set_piece_quantities(c.ours, sums, volumes, f);
   if (c.ours.bit.cones.empty())
-    say_cutters(c, sums, f);
+    set_cutter_quantities(c, sums, f);
   else
     say_cones(c, sums, from, to, f);
-  cannot_say(f, Quantity::torque_noise_by_crossing, no_spokes);
+  set_missing(f, Quantity::torque_noise_by_crossing, no_spokes);
   say_what_it_cannot(f);
   f.bottom = bottom_of(c, s);
   f.cost = {0.0, static_cast<double>(total) * c.ours.time.step, total};

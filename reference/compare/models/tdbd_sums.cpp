@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "bit/cone/tracking.hpp"
-#include "bit/cutter/cutter_frame.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "reference/compare/models/roller_case.hpp"
 
 namespace tdbd::reference {
@@ -130,8 +130,8 @@ std::vector<double> removed_by_piece(const TdbdSums& sums, const simulation::Sim
   return removed;
 }
 
-void say_pieces(const simulation::Case& c, const TdbdSums& sums, const std::vector<double>& volumes,
-                Findings& f) {
+void set_piece_quantities(const simulation::Case& c, const TdbdSums& sums,
+                          const std::vector<double>& volumes, Findings& f) {
   const double steps = static_cast<double>(sums.series.weight.size());
   for (std::size_t i = 0; i < sums.pieces.size(); ++i) {
     const Piece& piece = sums.pieces[i];

@@ -40,7 +40,7 @@ void add_step(const simulation::Case& c, const simulation::Simulation& s, TdbdSu
 std::vector<double> removed_by_piece(const TdbdSums& sums, const simulation::Simulation& s);
 
 /// Sets the results of the pieces: means over the steps. `volumes`: m3 per revolution, per piece.
-void say_pieces(const simulation::Case& c, const TdbdSums& sums, const std::vector<double>& volumes,
-                Findings& f);
+void set_piece_quantities(const simulation::Case& c, const TdbdSums& sums,
+                          const std::vector<double>& volumes, Findings& f);
 
 }  // namespace tdbd::reference

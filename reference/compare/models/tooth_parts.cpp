@@ -42,27 +42,27 @@ std::vector<double> over(std::vector<double> teeth, double count) {
   return teeth;
 }
 
-void say_teeth(const CompareCase& c, const RollerBit& bit, PartQuantity q,
-               const std::vector<double>& teeth, Findings& f) {
+void set_tooth_values(const CompareCase& c, const RollerBit& bit, PartQuantity q,
+                      const std::vector<double>& teeth, Findings& f) {
   for_each_row(bit, [&](std::size_t k, std::size_t r, double radius, std::size_t first) {
     for (std::size_t i = 0; i < bit.cones[k].rows[r].angles.size(); ++i)
       f.parts.push_back({tooth_name(c.ours.bit.cones[k].name, r, i), radius, q, teeth[first + i]});
   });
 }
 
-void say_teeth_and_sums(const CompareCase& c, const RollerBit& bit, PartQuantity q,
-                        const std::vector<double>& teeth, Findings& f) {
+void set_tooth_values_and_sums(const CompareCase& c, const RollerBit& bit, PartQuantity q,
+                               const std::vector<double>& teeth, Findings& f) {
   say_sums(c, bit, q, teeth, f);
-  say_teeth(c, bit, q, teeth, f);
+  set_tooth_values(c, bit, q, teeth, f);
 }
 
-void say_tooth_numbers(const CompareCase& c, const RollerBit& bit, const ToothNumbers& teeth,
-                       Findings& f) {
-  say_teeth_and_sums(c, bit, PartQuantity::force_into_rock, teeth.force, f);
-  say_teeth_and_sums(c, bit, PartQuantity::weight, teeth.force, f);
-  say_teeth(c, bit, PartQuantity::largest_weight, teeth.largest, f);
-  say_teeth_and_sums(c, bit, PartQuantity::teeth_in_contact, teeth.contacts, f);
-  say_teeth_and_sums(c, bit, PartQuantity::volume_per_revolution, teeth.volume, f);
+void set_tooth_quantities(const CompareCase& c, const RollerBit& bit, const ToothNumbers& teeth,
+                          Findings& f) {
+  set_tooth_values_and_sums(c, bit, PartQuantity::force_into_rock, teeth.force, f);
+  set_tooth_values_and_sums(c, bit, PartQuantity::weight, teeth.force, f);
+  set_tooth_values(c, bit, PartQuantity::largest_weight, teeth.largest, f);
+  set_tooth_values_and_sums(c, bit, PartQuantity::teeth_in_contact, teeth.contacts, f);
+  set_tooth_values_and_sums(c, bit, PartQuantity::volume_per_revolution, teeth.volume, f);
 }
 
 }  // namespace tdbd::reference

@@ -16,12 +16,12 @@ std::string tooth_name(const std::string& cone, std::size_t row, std::size_t too
 std::vector<double> over(std::vector<double> teeth, double count);
 
 /// Sets the value of each tooth, at the radius of its row's ring.
-void say_teeth(const CompareCase& c, const RollerBit& bit, PartQuantity q,
-               const std::vector<double>& teeth, Findings& f);
+void set_tooth_values(const CompareCase& c, const RollerBit& bit, PartQuantity q,
+                      const std::vector<double>& teeth, Findings& f);
 
 /// Sets the value of each tooth, and the sums of rows and cones.
-void say_teeth_and_sums(const CompareCase& c, const RollerBit& bit, PartQuantity q,
-                        const std::vector<double>& teeth, Findings& f);
+void set_tooth_values_and_sums(const CompareCase& c, const RollerBit& bit, PartQuantity q,
+                               const std::vector<double>& teeth, Findings& f);
 
 /// Results of models with vertical tooth forces.
 struct ToothNumbers {
@@ -33,7 +33,7 @@ struct ToothNumbers {
 /// Sets the results of teeth, rows and cones; largest forces only of teeth. The force along the
 /// hole is also the force into the rock, because these models assume that the rock under a tooth is
 /// horizontal.
-void say_tooth_numbers(const CompareCase& c, const RollerBit& bit, const ToothNumbers& teeth,
-                       Findings& f);
+void set_tooth_quantities(const CompareCase& c, const RollerBit& bit, const ToothNumbers& teeth,
+                          Findings& f);
 
 }  // namespace tdbd::reference

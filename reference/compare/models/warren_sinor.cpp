@@ -27,7 +27,7 @@ void say_plane_cutters(const CompareCase& c, const WarrenSinorLoad& load, Findin
 void say_plane_at_weight(const CompareCase& c, double weight, const WarrenSinorOptions& options,
                          Findings& f) {
   if (weight <= 0.0) {
-    cannot_say(f, {Quantity::rate_at_weight, Quantity::torque_at_weight}, no_weight);
+    set_missing(f, {Quantity::rate_at_weight, Quantity::torque_at_weight}, no_weight);
     return;
   }
   const WarrenSinorLoad load = warren_sinor_at_weight(c.ours.bit.cutters, weight, *c.rock, options);
@@ -37,25 +37,25 @@ void say_plane_at_weight(const CompareCase& c, double weight, const WarrenSinorO
 
 }  // namespace
 
-Findings answer_of_warren_sinor(const Question& q) {
+Findings run_warren_sinor_model(const Question& q) {
   const CompareCase& c = q.asked;
   WarrenSinorOptions options;
   options.form = c.options.outline;
   options.column = plane_column;
   const WarrenSinorLoad load = warren_sinor(c.ours.bit.cutters, c.advance, *c.rock, options);
   Findings f;
-  say_steady_loads(f, load.weight, load.torque, c.advance);
+  set_steady_load_quantities(f, load.weight, load.torque, c.advance);
   say(f, Quantity::imbalance, load.imbalance());
   say(f, Quantity::imbalance_direction, direction_of(load.imbalance_B()));
   say(f, Quantity::side_force, load.imbalance_B().norm());
   say(f, Quantity::removed_per_revolution, load.volume);
   say_plane_cutters(c, load, f);
   say_plane_at_weight(c, q.weight, options, f);
-  cannot_say(f, Quantity::share_moved_backwards, "the bit turns about a fixed axis");
-  cannot_say(f, Quantity::resolution_at_gage, "one plane stands for the whole bottom");
-  cannot_say(f, flats, "no wear: flats are input");
-  cannot_say(f, of_cones, no_cones);
-  note_whirl(c, f);
+  set_missing(f, Quantity::share_moved_backwards, "the bit turns about a fixed axis");
+  set_missing(f, Quantity::resolution_at_gage, "one plane stands for the whole bottom");
+  set_missing(f, flats, "no wear: flats are input");
+  set_missing(f, of_cones, no_cones);
+  add_whirl_note(c, f);
   return f;
 }
 

@@ -12,15 +12,16 @@ constexpr const char* no_shape = "it knows neither shapes nor teeth: one formula
 
 }  // namespace
 
-Findings answer_of_winters(const Question& q) {
+Findings run_winters_model(const Question& q) {
   const CompareCase& c = q.asked;
   const WintersSettings& s = c.options.winters;
   Findings f;
   if (s.weights.empty())
-    cannot_say(f, Quantity::rate_at_weight,
-               "needs constants: compare.winters.weights and rates, three or more, to fit them to");
+    set_missing(
+        f, Quantity::rate_at_weight,
+        "needs constants: compare.winters.weights and rates, three or more, to fit them to");
   else if (q.weight <= 0.0)
-    cannot_say(f, Quantity::rate_at_weight, no_weight);
+    set_missing(f, Quantity::rate_at_weight, no_weight);
   else {
     WintersRun run{q.weight, 2.0 * c.ours.bit.gage_radius, c.ours.motion.rotary_speed};
     std::vector<WintersPoint> points;
@@ -32,17 +33,17 @@ Findings answer_of_winters(const Question& q) {
                                   s.weights.size(), fit.constants.ductility, fit.constants.offset,
                                   fit.constants.teeth));
   }
-  cannot_say(f,
-             {Quantity::weight, Quantity::torque, Quantity::work_of_a_turn_torque,
-              Quantity::torque_at_weight, Quantity::removed_per_revolution},
-             "it relates a rate and a strength, and nothing else");
-  cannot_say(f, lateral, no_shape);
-  cannot_say(f, noises, "steady: one state for all times");
-  cannot_say(f, Quantity::torque_noise_by_crossing, no_spokes);
-  cannot_say(f, of_cones, no_shape);
-  cannot_say(f, Quantity::resolution_at_gage, "it keeps no bottom");
-  cannot_say(f, Quantity::share_moved_backwards, no_cutters);
-  cannot_say(f, flats, no_wear);
+  set_missing(f,
+              {Quantity::weight, Quantity::torque, Quantity::work_of_a_turn_torque,
+               Quantity::torque_at_weight, Quantity::removed_per_revolution},
+              "it relates a rate and a strength, and nothing else");
+  set_missing(f, lateral, no_shape);
+  set_missing(f, noises, "steady: one state for all times");
+  set_missing(f, Quantity::torque_noise_by_crossing, no_spokes);
+  set_missing(f, of_cones, no_shape);
+  set_missing(f, Quantity::resolution_at_gage, "it keeps no bottom");
+  set_missing(f, Quantity::share_moved_backwards, no_cutters);
+  set_missing(f, flats, no_wear);
   return f;
 }
 

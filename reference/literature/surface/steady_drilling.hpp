@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/pose.hpp"
+#include "core/types.hpp"
 #include "reference/literature/surface/sweep_tool.hpp"
 
 namespace tdbd::reference {

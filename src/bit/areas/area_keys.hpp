@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "bit/part_kind.hpp"
+#include "bit/bit.hpp"
 #include "core/config/key.hpp"
 
 /// The keys that select the parts of an area, in [areas.NAME] of a bit file and in

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/wildcard.hpp"
+#include "core/text.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -22,7 +22,7 @@ bool meets(const std::optional<T>& criterion, const T& own) {
 }
 
 /// Adds a pair of rules unless it is already there.
-void note_disagreement(int first, int second, int part, std::vector<Disagreement>& all) {
+void add_disagreement(int first, int second, int part, std::vector<Disagreement>& all) {
   const auto same = [&](const Disagreement& d) { return d.first == first && d.second == second; };
   if (std::ranges::none_of(all, same)) all.push_back({first, second, part});
 }
@@ -79,7 +79,7 @@ Decision decide(const RulesOfParts& of_parts, std::span<const AreaRule> rules,
     for (const int i : of_parts[p])
       if (values[at(i)] && rank_of(rules[at(i)].selector) == rank_of(rules[at(best)].selector) &&
           *values[at(i)] != *values[at(best)])
-        note_disagreement(best, i, static_cast<int>(p), d.disagreements);
+        add_disagreement(best, i, static_cast<int>(p), d.disagreements);
   }
   return d;
 }

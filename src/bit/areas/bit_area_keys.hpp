@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bit/part_kind.hpp"
+#include "bit/bit.hpp"
 #include "core/config/key.hpp"
 
 /// Properties that an area of a bit file gives its parts ([areas.NAME]), besides the keys that

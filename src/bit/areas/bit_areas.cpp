@@ -8,10 +8,10 @@
 
 #include "bit/areas/bit_area_keys.hpp"
 #include "bit/areas/read_areas.hpp"
+#include "bit/cone/cone_measures.hpp"
 #include "bit/cone/cone_parts.hpp"
-#include "bit/cone/cone_reach.hpp"
 #include "core/config/toml_text.hpp"
-#include "core/wildcard.hpp"
+#include "core/text.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -24,12 +24,12 @@ struct Values {
   explicit Values(std::size_t areas) : of_area(areas), shown(areas) {}
 };
 
-struct GivenStart {
+struct StartSetting {
   StartEvent event = StartEvent::time;
   double from = 0.0;
   std::string worn_names;
 
-  bool operator==(const GivenStart&) const = default;
+  bool operator==(const StartSetting&) const = default;
 };
 
 using bit_area_keys::Material;
@@ -96,19 +96,19 @@ std::string read_worn_names(Config& c, const Bit& bit) {
   return pattern;
 }
 
-GivenStart read_start(Config& c, const Bit& bit) {
+StartSetting read_start(Config& c, const Bit& bit) {
   if (c.has(bit_area_keys::from_depth))
     return {StartEvent::depth, c.read(bit_area_keys::from_depth, 0.0), {}};
   if (c.has(bit_area_keys::from_time))
     return {StartEvent::time, c.read(bit_area_keys::from_time, 0.0), {}};
-  GivenStart start{StartEvent::wear, c.read(bit_area_keys::from_wear, 0.0),
-                   read_worn_names(c, bit)};
+  StartSetting start{StartEvent::wear, c.read(bit_area_keys::from_wear, 0.0),
+                     read_worn_names(c, bit)};
   if (!bit.parts.empty() && bit.cutters.empty())
     c.problem(bit_area_keys::from_wear, "a bit without cutters", "cutters, which wear");
   return start;
 }
 
-std::string shown_start(const GivenStart& start) {
+std::string shown_start(const StartSetting& start) {
   if (start.event == StartEvent::wear)
     return fmt::format("a start at a wear of {:g} m of \"{}\"", start.from, start.worn_names);
   return fmt::format("a start at {:g} {}", start.from,
@@ -129,7 +129,7 @@ void require_one_start(Config& c) {
 }
 
 /// Equal starts have equal values.
-Values read_starts(Areas& areas, const Bit& bit, std::vector<GivenStart>& starts) {
+Values read_starts(Areas& areas, const Bit& bit, std::vector<StartSetting>& starts) {
   Values v(areas.tables.size());
   for (std::size_t i = 0; i < areas.tables.size(); ++i) {
     Config& c = areas.tables[i].config;
@@ -174,7 +174,7 @@ bool counts_elsewhere(const Part& part, const std::vector<std::string>& without_
 void apply_densities(Areas& areas, const Values& v, const std::vector<std::string>& materials,
                      Bit& bit, std::vector<std::string>& without_density) {
   const std::vector<int> decided =
-      decide_or_note(areas, bit, bit_area_keys::density, v.of_area, v.shown);
+      decide_or_report(areas, bit, bit_area_keys::density, v.of_area, v.shown);
   for (std::size_t i = 0; i < areas.tables.size(); ++i) {
     const std::vector<int> parts = parts_of_rule(areas, static_cast<int>(i));
     if (!v.of_area[i] || parts.empty()) continue;
@@ -200,7 +200,7 @@ void apply_densities(Areas& areas, const Values& v, const std::vector<std::strin
 
 void apply_cutting(Areas& areas, const Values& v, Bit& bit) {
   const std::vector<int> decided =
-      decide_or_note(areas, bit, bit_area_keys::cutting, v.of_area, v.shown);
+      decide_or_report(areas, bit, bit_area_keys::cutting, v.of_area, v.shown);
   for (std::size_t p = 0; p < decided.size(); ++p) {
     if (decided[p] < 0) continue;
     Part& part = bit.parts[p];
@@ -224,7 +224,7 @@ bool passes_over_rock(const Part& part) {
 
 void apply_shares(Areas& areas, const Values& v, Bit& bit) {
   const std::vector<int> decided =
-      decide_or_note(areas, bit, bit_area_keys::share, v.of_area, v.shown);
+      decide_or_report(areas, bit, bit_area_keys::share, v.of_area, v.shown);
   for (std::size_t p = 0; p < decided.size(); ++p) {
     if (decided[p] < 0) continue;
     Part& part = bit.parts[p];
@@ -244,9 +244,10 @@ void apply_shares(Areas& areas, const Values& v, Bit& bit) {
   }
 }
 
-void apply_starts(Areas& areas, const Values& v, const std::vector<GivenStart>& starts, Bit& bit) {
+void apply_starts(Areas& areas, const Values& v, const std::vector<StartSetting>& starts,
+                  Bit& bit) {
   const std::vector<int> decided =
-      decide_or_note(areas, bit, bit_area_keys::from_depth, v.of_area, v.shown);
+      decide_or_report(areas, bit, bit_area_keys::from_depth, v.of_area, v.shown);
   for (std::size_t p = 0; p < decided.size(); ++p) {
     if (decided[p] < 0) continue;
     Part& part = bit.parts[p];
@@ -296,7 +297,7 @@ void apply_areas(Config& file, Bit& bit, std::vector<std::string>& without_densi
   Areas areas =
       read_areas(file.table(bit_area_keys::areas), bit, fmt::format("the bit {}", bit.name));
   const double reach_of_design = largest_turned_radius(bit);
-  std::vector<GivenStart> given_starts;
+  std::vector<StartSetting> given_starts;
   std::vector<std::string> materials;
   const Values density = read_densities(areas, materials), cutting = read_cutting(areas),
                share = read_shares(areas), start = read_starts(areas, bit, given_starts);
@@ -309,7 +310,7 @@ void apply_areas(Config& file, Bit& bit, std::vector<std::string>& without_densi
   if (const double reach = largest_turned_radius(bit); reach > 0.0 && reach < reach_of_design)
     bit.gage_radius = reach;
   if (file.problem_count() == 0 && std::ranges::none_of(bit.parts, [](const Part& p) {
-        return cutting_in_the_end(p) == Cutting::cuts;
+        return final_cutting(p) == Cutting::cuts;
       }))
     file.problem(bit_area_keys::areas.name, "no part that cuts", "at least one");
 }
@@ -324,8 +325,8 @@ std::string areas_text(const Bit& bit) {
       const Part& drawn = layouts.at(part.name);
       if (drawn.density != part.density)
         lines += fmt::format("density = {}  # kg/m3\n", part.density);
-      if (drawn.cutting != cutting_in_the_end(part))
-        lines += fmt::format("removal.cutting = \"{}\"\n", cutting_name(cutting_in_the_end(part)));
+      if (drawn.cutting != final_cutting(part))
+        lines += fmt::format("removal.cutting = \"{}\"\n", cutting_name(final_cutting(part)));
     }
     if (part.share < 1.0) lines += fmt::format("removal.share = {}\n", part.share);
     if (part.start) lines += start_lines(*part.start);

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "bit/areas/area_keys.hpp"
-#include "core/nearest_name.hpp"
+#include "core/text.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -154,9 +154,9 @@ std::vector<int> parts_of_rule(const Areas& areas, int rule) {
   return parts;
 }
 
-std::vector<int> decide_or_note(Areas& areas, const Bit& bit, std::string_view key,
-                                std::span<const std::optional<double>> values,
-                                const std::vector<std::string>& shown) {
+std::vector<int> decide_or_report(Areas& areas, const Bit& bit, std::string_view key,
+                                  std::span<const std::optional<double>> values,
+                                  const std::vector<std::string>& shown) {
   const Decision decision = decide(areas.of_parts, areas.rules, values);
   for (const Disagreement& d : decision.disagreements) {
     const auto first = static_cast<std::size_t>(d.first),

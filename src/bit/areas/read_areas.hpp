@@ -34,8 +34,8 @@ std::vector<int> parts_of_rule(const Areas& areas, int rule);
 /// Decides which area defines a property of each part (decide). If two areas disagree, records a
 /// mistake at `key` of the later one that names the place of the other. `values`, `shown`: per
 /// area, the value and its text.
-std::vector<int> decide_or_note(Areas& areas, const Bit& bit, std::string_view key,
-                                std::span<const std::optional<double>> values,
-                                const std::vector<std::string>& shown);
+std::vector<int> decide_or_report(Areas& areas, const Bit& bit, std::string_view key,
+                                  std::span<const std::optional<double>> values,
+                                  const std::vector<std::string>& shown);
 
 }  // namespace tdbd::bit

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "bit/bit.hpp"
@@ -13,5 +14,21 @@ namespace tdbd::bit {
 /// Thesis: 3.1; the shape is not in the thesis.
 Part bit_body(const std::vector<Cutter>& cutters, double setback, double density,
               double gage_radius);
+
+/// Volume (m3) that a closed convex mesh shares with any closed, outward-oriented mesh in the same
+/// frame. A point is inside the second mesh if a ray from it along +z leaves that mesh once more
+/// often than it enters. So the volume is a sum over the second mesh's triangles, with the sign of
+/// the z component of their normals, of the part of the convex mesh that is vertically above each
+/// triangle (one clip by four planes). Exact for the meshes.
+double common_volume(const mesh::TriangleMesh& convex, const mesh::TriangleMesh& closed);
+
+/// Volume (m3) of the cutters' parts with a density that lies inside the bit's bodies. It counts
+/// twice in the mass because bodies have no pockets.
+double cutters_in_body(const Bit& bit);
+
+/// Returns pairs (inner, outer) of indices into Bit::parts. Both parts have a density, and every
+/// vertex of the inner part lies inside the outer part's mesh, so its volume counts twice in the
+/// mass. Sorted by the inner part, then the outer part.
+std::vector<std::pair<int, int>> enclosed_parts(const Bit& bit);
 
 }  // namespace tdbd::bit

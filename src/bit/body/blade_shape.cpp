@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "core/angles.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::bit {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "bit/cutter/rim_reach.hpp"
-#include "core/angles.hpp"
+#include "bit/cutter/cutter.hpp"
+#include "core/types.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::bit {
@@ -130,7 +130,7 @@ void note(const Vec3& x_B, const Above& a, Rubbing& least) {
 /// Whether a facet faces the rock and `near` is true for one of its corners. Only such facets are
 /// measured between their corners.
 template <class Near>
-bool is_worth_a_look(const std::vector<Vec3>& x_B, const mesh::Triangle& t, const Near& near) {
+bool may_touch_rock(const std::vector<Vec3>& x_B, const mesh::Triangle& t, const Near& near) {
   return mesh::area_vector(x_B[at(t[0])], x_B[at(t[1])], x_B[at(t[2])]).z() > 0.0 &&
          std::ranges::any_of(t, near);
 }
@@ -151,7 +151,7 @@ Rubbing rubbing(const std::vector<Cutter>& cutters, const Part& part, double adv
     return over[at(v)].touching < look_at * of_vertices.touching_advance;
   };
   for (const mesh::Triangle& t : part.mesh_P.triangles)
-    if (is_worth_a_look(x_B, t, near))
+    if (may_touch_rock(x_B, t, near))
       for (const Vec3& x : facet_of(part, t).points_B) note(x, above(rims, x, advance), least);
   if (least.points == 0) least.clearance = least.touching_advance = 0.0;
   return least;
@@ -169,7 +169,7 @@ std::vector<double> rubbing_areas(const std::vector<Cutter>& cutters, const Part
   const double most = look_at * std::ranges::max(advances);
   const auto near = [&](int v) { return of_vertex[at(v)] < most; };
   for (const mesh::Triangle& t : part.mesh_P.triangles) {
-    if (!is_worth_a_look(x_B, t, near)) continue;
+    if (!may_touch_rock(x_B, t, near)) continue;
     const Facet f = facet_of(part, t);
     touching.clear();
     for (const Vec3& x : f.points_B) touching.push_back(above(rims, x, 0.0).touching);

@@ -17,7 +17,7 @@ struct Rubbing {
   std::size_t over_uncut = 0;     ///< number of points omitted: no cutter cuts at their radius
 };
 
-/// Radial-plane analysis (engagement.hpp) for a surface that does not cut, bit (7). `advance` (m
+/// Radial-plane analysis (bit_analysis.hpp) for a surface that does not cut, bit (7). `advance` (m
 /// per revolution) determines the clearance. The smallest touching advance is the depth of cut that
 /// the body controls. Measured at all vertices and, every millimetre, on those facets that face the
 /// rock and have a corner that touches early. Rims are interpolated between columns of at most

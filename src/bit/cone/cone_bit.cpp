@@ -3,16 +3,82 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "bit/cone/cone_frame.hpp"
+#include "bit/cone/cone_measures.hpp"
 #include "bit/cone/cone_parts.hpp"
-#include "bit/cone/cone_reach.hpp"
-#include "bit/cone/tooth_directions.hpp"
 #include "bit/surface_of_revolution.hpp"
-#include "core/error.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::bit {
+namespace {
+
+Pose turn(double angle, const Vec3& axis) {
+  return {Eigen::AngleAxisd(angle, axis).toRotationMatrix(), Vec3::Zero()};
+}
+
+Pose shift(const Vec3& by) { return {Mat3::Identity(), by}; }
+
+}  // namespace
+
+Pose cone_pose(const ConeLayout& c, double phi) {
+  return turn(c.azimuth, Vec3::UnitZ()) * shift({0.0, c.offset, -c.foot_height}) *
+         turn(c.skew, Vec3::UnitZ()) * turn(c.journal_angle - right_angle, Vec3::UnitY()) *
+         shift({0.0, 0.0, c.apex}) * turn(phi, Vec3::UnitZ());
+}
+
+Pose cone_pose(const Cone& cone, double phi) { return cone.X_BK * turn(phi, Vec3::UnitZ()); }
+
+Pose part_pose(const Bit& bit, const Part& part, const std::vector<double>& cone_angles) {
+  if (part.cone < 0) return part.X_BP;
+  const auto k = static_cast<std::size_t>(part.cone);
+  return cone_pose(bit.cones[k], cone_angles.at(k)) * (inverse(bit.cones[k].X_BK) * part.X_BP);
+}
+
+Bit turned(Bit bit, const std::vector<double>& cone_angles) {
+  for (Part& part : bit.parts) part.X_BP = part_pose(bit, part, cone_angles);
+  return bit;
+}
+
+namespace {
+
+/// The outward and downward part of the row's normal at the place where the row is farthest from
+/// the bit's axis, in the journal's plane.
+Vec3 row_direction(const ConeLayout& cone, const ToothRow& row) {
+  const double down = cone.journal_angle;
+  const Pose X_KT = tooth_pose(cone, row, 0.0);
+  const Vec3 z_K = X_KT.R.col(2);  // y = 0
+  const double out = z_K.x() * std::sin(down) - z_K.z() * std::cos(down);
+  const double deep = z_K.x() * std::cos(down) + z_K.z() * std::sin(down);
+  const Vec3 u(std::max(0.0, out), 0.0, std::max(0.0, deep));
+  return u.norm() > 0.0 ? Vec3(u.normalized()) : Vec3(Vec3::UnitZ());
+}
+
+Segment core_of(const ToothShape& shape) {
+  const double top = std::max(-shape.embedding, shape.protrusion - 0.5 * shape.diameter);
+  return {Vec3(0.0, 0.0, -shape.embedding), Vec3(0.0, 0.0, top)};
+}
+
+void direct(Part& tooth, const ConeLayout& cone, const ToothRow& row, GageRule rule) {
+  tooth.core_P.reset();
+  tooth.update_direction_B = Vec3::UnitZ();
+  if (row.place == RowPlace::inner || rule == GageRule::down) return;
+  tooth.update_direction_B =
+      rule == GageRule::horizontal ? Vec3(Vec3::UnitX()) : row_direction(cone, row);
+  if (rule == GageRule::normal) tooth.core_P = core_of(row.shape);
+}
+
+}  // namespace
+
+void set_tooth_directions(Bit& bit, GageRule rule) {
+  for (Part& part : bit.parts) {
+    if (part.kind != PartKind::tooth || part.row < 0) continue;
+    const ConeLayout& cone = bit.cones[static_cast<std::size_t>(part.cone)].layout;
+    direct(part, cone, cone.rows[static_cast<std::size_t>(part.row)], rule);
+  }
+}
+
 namespace {
 
 bool has_gage_row(const ConeLayout& cone) {
@@ -104,7 +170,7 @@ Bit cone_bit(std::string name, std::vector<ConeLayout> cones, std::optional<doub
     require_body_inside_gage(bit.cones.back(), bit.cones.size() - 1, bit.gage_radius);
     for (Part& part : cone_parts(bit.cones.back(), index)) bit.parts.push_back(std::move(part));
   }
-  direct_teeth(bit, GageRule::normal);
+  set_tooth_directions(bit, GageRule::normal);
   if (shank.radius > 0.0) bit.parts.push_back(shank_part(shank));
   return bit;
 }

@@ -9,6 +9,39 @@
 
 namespace tdbd::bit {
 
+/// Frame K of a cone in the bit frame at the cone's angle phi (rad, about K's Z). Z is along the
+/// journal, from outside the bit towards its axis and down; at azimuth 0, without skew, it is (-cos
+/// J, 0, sin J) with J the journal angle. Without an offset, Z meets the bit's axis at the foot.
+/// The chain from the bit to the cone is
+///   Rz(azimuth)  offset along Y, foot  Rz(skew)  Ry(J - pi/2)  apex along Z  Rz(phi)
+/// A bit that rotates about +z rolls its cones with a negative phi'. A point of a cone moves by bit
+/// (2), with s = K's Z.
+Pose cone_pose(const ConeLayout& cone, double phi);
+
+/// The same for a cone of a bit, from its frame at angle 0.
+Pose cone_pose(const Cone& cone, double phi);
+
+/// A part's frame in the bit frame with the bit's cones at these angles (rad about their Z, one per
+/// cone): X_BK(phi) X_KP for the parts of a cone, X_BP for all others; bit (2). With a pose of the
+/// bit, X_WP = X_WB part_pose. Parts of one cone move as one rigid body.
+Pose part_pose(const Bit& bit, const Part& part, const std::vector<double>& cone_angles);
+
+/// Returns the bit with its cones at these angles.
+Bit turned(Bit bit, const std::vector<double>& cone_angles);
+
+/// How the teeth of a gage row move rock; those of inner rows move it straight down. All four rules
+/// are reconstructed: thesis 4.1.2.2 only states that a direction belongs to a region of the bit.
+enum class GageRule {
+  normal,     ///< each vertex along the tooth's normal there (Part::core_P), bit (9)
+  row,        ///< one direction per row: its normal in the journal's plane, outward and down
+  down,       ///< straight down, like inner rows
+  horizontal  ///< straight outwards
+};
+
+/// Sets the update direction of every tooth of a roller cone bit. The core of a tooth is the axis
+/// of a pin with a round end of the tooth's diameter, up to the centre of that end.
+void set_tooth_directions(Bit& bit, GageRule rule);
+
 /// Reports why given cones do not make a bit: the cone, the key, what was found and what is
 /// expected.
 struct ConeBitError : InputError {

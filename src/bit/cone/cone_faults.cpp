@@ -6,10 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "bit/bit.hpp"
 #include "bit/cone/cone_parts.hpp"
-#include "bit/cone/tooth_mesh.hpp"
-#include "bit/text.hpp"
-#include "core/angles.hpp"
+#include "core/types.hpp"
 #include "mesh/shape/convex.hpp"
 
 namespace tdbd::bit {

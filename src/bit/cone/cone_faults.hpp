@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bit/cone.hpp"
+#include "bit/bit.hpp"
 
 namespace tdbd::bit {
 

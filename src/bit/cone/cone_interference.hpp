@@ -4,9 +4,29 @@
 #include <vector>
 
 #include "bit/bit.hpp"
-#include "bit/cone/meridian.hpp"
+#include "bit/cone/cone_parts.hpp"
 
 namespace tdbd::bit {
+
+/// The smallest gap between two solids of revolution, and its place on the first.
+struct Gap {
+  double distance = 0.0;  ///< m, signed; negative: depth of the first in the second
+  ShellPoint point_a;     ///< on the first one's meridian
+  double angle_a = 0.0;   ///< rad about the first one's axis
+  bool is_exact = true;   ///< to the tolerance; false if the search stopped at most_patches
+};
+
+/// Largest number of patches that a search examines. Cones that turn clear of each other take some
+/// hundred. Where two solids nearly coincide, all patches are equally near.
+inline constexpr long most_patches = 200'000;
+
+/// Returns the gap between the surface of solid A (frame X_BA) and solid B (frame X_BB), the global
+/// minimum to `tolerance` (m). Branch and bound over A's meridian and angle: the signed distance
+/// changes by no more than the point moves. Stops early if no gap is below `enough` (m), and then
+/// returns one at least that large, or after most_patches. A solid B completely inside A is not
+/// detected.
+Gap smallest_gap(const Meridian& a, const Pose& X_BA, const Meridian& b, const Pose& X_BB,
+                 double tolerance, double enough);
 
 /// The smallest distance of two parts of neighbouring cones in full turns of both, and its place.
 struct Clearance {
@@ -46,5 +66,27 @@ std::vector<Turning> turning_parts(const Cone& cone);
 /// the slack of swept_meridian. Cones without a shell, whose solids were read from a file, are
 /// skipped. Sorted by distance.
 std::vector<Clearance> cone_clearances(const std::vector<Cone>& cones);
+
+/// The smallest distance of a leg and a part of a cone in a full turn of the cone, and its place.
+struct LegClearance {
+  std::string leg;        ///< "leg-1"
+  std::string part;       ///< "cone-1/body", "cone-2/row-4/tooth-1"
+  double distance = 0.0;  ///< m; negative: depth of the leg in the volume that the part sweeps
+  double angle = 0.0;     ///< rad, of the cone when its part is at that place
+  Vec3 place_B = Vec3::Zero();
+};
+
+/// Formats a clearance: "an overlap of 1.203 mm of leg-1 and cone-2/row-4/tooth-1 (at 34.2 deg) at
+/// (1.0, 2.0, 3.0) mm", or "a gap of ...". The angle is that of the cone; the place is in the bit's
+/// frame.
+std::string clearance_text(const LegClearance& c);
+
+/// For every leg and every cone of a bit, returns every overlap of the leg with the volume swept by
+/// the cone's shell or a row of its teeth, or, if there is none, the smallest gap between the two,
+/// to clearance_tolerance. Branch and bound over the leg's triangles: the signed distance from a
+/// solid of revolution changes by no more than the point moves. Conservative by the slack of
+/// swept_meridian; a lower bound if most_patches is reached. A cone completely inside a leg is not
+/// detected. Cones without a shell are skipped. Sorted by distance.
+std::vector<LegClearance> leg_clearances(const Bit& bit);
 
 }  // namespace tdbd::bit

@@ -8,9 +8,9 @@
 #include <limits>
 #include <optional>
 
+#include "bit/bit.hpp"
 #include "bit/surface_of_revolution.hpp"
-#include "bit/text.hpp"
-#include "core/angles.hpp"
+#include "core/types.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::bit {

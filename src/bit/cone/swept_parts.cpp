@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "bit/cone/cone_parts.hpp"
-#include "core/angles.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::bit {
 namespace {

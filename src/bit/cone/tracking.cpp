@@ -5,8 +5,7 @@
 #include <limits>
 
 #include "bit/cone/cone_parts.hpp"
-#include "bit/cone/tooth_mesh.hpp"
-#include "core/angles.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::bit {
 namespace {

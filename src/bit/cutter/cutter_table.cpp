@@ -9,9 +9,9 @@
 #include <map>
 #include <tuple>
 
-#include "bit/cutter/cutter_frame.hpp"
-#include "core/angles.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "core/config/csv.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::bit {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bit/bit.hpp"
-#include "core/angles.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::bit {
 

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "bit/cutter/cutter_frame.hpp"
-#include "core/angles.hpp"
+#include "bit/cutter/cutter.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::bit {
 namespace {

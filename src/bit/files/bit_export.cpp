@@ -6,18 +6,18 @@
 #include <vector>
 
 #include "bit/areas/bit_areas.hpp"
+#include "bit/bit.hpp"
 #include "bit/cone/swept_parts.hpp"
 #include "bit/cutter/cutter_table.hpp"
 #include "bit/files/cone_file.hpp"
 #include "bit/files/solid_cones.hpp"
-#include "bit/part_kind.hpp"
 #include "bit/profile/exposure_profile.hpp"
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"
 #include "io/whole_file.hpp"
 #include "mesh/files/files.hpp"
 #include "mesh/files/solids.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -38,8 +38,8 @@ std::string part_text(const Part& part, const std::string& file) {
       "\n[[parts]]\nname = {}\nkind = {}\nfile = {}\nunit = \"1 m\"\ncutting = {}\n{}"
       "density = {}  # kg/m3\ngroup = {}\nposition = {}  # m\nrotation_vector = {}  # rad\n",
       toml_string(part.name), toml_string(kind_name(part.kind)), toml_string(file),
-      cutting_in_the_end(part) == Cutting::cuts,
-      cutting_in_the_end(part) == Cutting::rubs ? "rubs = true\n" : "", part.density, part.group,
+      final_cutting(part) == Cutting::cuts,
+      final_cutting(part) == Cutting::rubs ? "rubs = true\n" : "", part.density, part.group,
       toml_vector(part.X_BP.p), toml_vector(rotation::log(part.X_BP.R)));
   if (part.cutter < 0)
     text += fmt::format("update_direction = {}\n", toml_vector(part.update_direction_B));
@@ -57,8 +57,8 @@ std::string rule_text(const Bit& bit, const Part& part, const std::string& match
       "\n[[solids.rules]]\nmatch = {}\nname = {}\nkind = {}\ncutting = {}\n{}density = {}  # "
       "kg/m3\ngroup = {}\n",
       toml_string(match), toml_string(part.name), toml_string(kind_name(part.kind)),
-      cutting_in_the_end(part) == Cutting::cuts,
-      cutting_in_the_end(part) == Cutting::rubs ? "rubs = true\n" : "", part.density, part.group);
+      final_cutting(part) == Cutting::cuts,
+      final_cutting(part) == Cutting::rubs ? "rubs = true\n" : "", part.density, part.group);
   if (part.cutter < 0)
     return text + fmt::format("update_direction = {}\n", toml_vector(part.update_direction_B));
   const Pose& X_BC = bit.cutters[static_cast<std::size_t>(part.cutter)].X_BC;
@@ -84,7 +84,7 @@ void export_bit(const std::filesystem::path& folder, const Bit& bit, const std::
 }
 
 void write_cutter_table(const std::filesystem::path& folder, const Bit& bit) {
-  if (bit.cutters.empty() || bit.cutters_from == CuttersFrom::meshes) return;
+  if (bit.cutters.empty() || bit.cutter_source == CutterSource::meshes) return;
   write_text(folder / "cutters.csv", cutter_table_text(bit.name, bit.cutters));
 }
 

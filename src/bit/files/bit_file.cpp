@@ -8,7 +8,7 @@
 
 #include "bit/areas/bit_area_keys.hpp"
 #include "bit/areas/bit_areas.hpp"
-#include "bit/cone/cone_reach.hpp"
+#include "bit/cone/cone_measures.hpp"
 #include "bit/cutter/cutter_table.hpp"
 #include "bit/files/adjust_file.hpp"
 #include "bit/files/bit_parts.hpp"
@@ -138,7 +138,7 @@ BitFile read_mesh_bit(Config& c, const std::string& name, DirectionRule directio
   PartsFromFiles read = c.has("solids") ? read_solid_parts(c, directions, inside, densities)
                                         : read_parts(c, directions, inside, densities);
   c.finish_before(bit_area_keys::areas);
-  direct_by_profile(read, directions, inside);
+  set_profile_directions(read, directions, inside);
   bit.parts = std::move(read.parts);
   bit.cones = std::move(read.cones);
   add_cutters(read, bit);

@@ -10,10 +10,9 @@
 #include "bit/files/part_keys.hpp"
 #include "bit/files/unit_question.hpp"
 #include "bit/profile/exposure_profile.hpp"
-#include "bit/profile/profile_direction.hpp"
 #include "core/error.hpp"
 #include "mesh/files/files.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -25,7 +24,7 @@ mesh::TriangleMesh read_part_mesh(Config& c, const std::string& name) {
   const std::string expected = "a closed mesh with outward normals (STL, OBJ, PLY or OFF)";
   try {
     mesh::TriangleMesh m = mesh::read_mesh(file, unit);
-    note_mesh_faults(c, "file", file, {{name, m}}, expected);
+    report_mesh_faults(c, "file", file, {{name, m}}, expected);
     return m;
   } catch (const InputError& e) {
     c.problem(part_file_keys::file, e.what(), expected);
@@ -117,7 +116,7 @@ PartsFromFiles read_parts(Config& file, DirectionRule directions, InsideRule ins
                           Densities densities) {
   PartsFromFiles read;
   bool any_cuts = false;
-  const bool ask = checks_units(file);
+  const bool ask = unit_check_enabled(file);
   double unit = 1.0;
   std::vector<Config> configs = file.tables(part_file_keys::table);
   for (Config& c : configs) {
@@ -127,19 +126,19 @@ PartsFromFiles read_parts(Config& file, DirectionRule directions, InsideRule ins
     read.frames.push_back(frame_of_cutter(c, part));
     if (!c.has(part_file_keys::density)) read.without_density.push_back(part.name);
     if (!c.has(part_file_keys::density) && densities == Densities::required)
-      c.problem(part_file_keys::density, "none of " + part.name, density_wanted);
+      c.problem(part_file_keys::density, "none of " + part.name, expected_density);
     unit = c.read(part_file_keys::unit);
-    if (ask) ask_for_unit(c, "unit", part.mesh_P, unit, part_along);
+    if (ask) unit_error(c, "unit", part.mesh_P, unit, part_along);
     any_cuts = any_cuts || part.cutting == Cutting::cuts;
     compare_last_with_earlier(c, read);
   }
   require_every_density(configs, read);
-  if (ask) ask_for_unit(file, "parts", read.parts, unit);
+  if (ask) unit_error(file, "parts", read.parts, unit);
   if (!any_cuts) file.problem("parts", "no part that cuts", "at least one");
   return read;
 }
 
-void direct_by_profile(PartsFromFiles& read, DirectionRule directions, InsideRule inside) {
+void set_profile_directions(PartsFromFiles& read, DirectionRule directions, InsideRule inside) {
   if (std::count(read.has_direction.begin(), read.has_direction.end(), 0) == 0) return;
   constexpr double spacing = 0.5e-3;
   const auto profile = exposure_profile(read.parts, spacing);

@@ -43,6 +43,6 @@ PartsFromFiles read_parts(Config& file, DirectionRule directions, InsideRule ins
 
 /// Sets the direction of parts without one from the exposure profile of all parts. Parts of one
 /// group get the same direction.
-void direct_by_profile(PartsFromFiles& read, DirectionRule directions, InsideRule inside);
+void set_profile_directions(PartsFromFiles& read, DirectionRule directions, InsideRule inside);
 
 }  // namespace tdbd::bit

@@ -12,13 +12,12 @@
 #include "bit/cone/cone_faults.hpp"
 #include "bit/cone/cone_interference.hpp"
 #include "bit/cone/cone_parts.hpp"
-#include "bit/cone/leg_clearance.hpp"
 #include "bit/cone/legs.hpp"
 #include "bit/files/cone_keys.hpp"
 #include "bit/files/pdc_keys.hpp"
-#include "core/angles.hpp"
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -162,7 +161,7 @@ std::string key_of(const std::string& part) {
 }
 
 /// Records every overlap, at the line of that row or shell of the two that is first in the file.
-void note_overlaps(const Bit& bit, std::vector<Config>& cones) {
+void report_overlaps(const Bit& bit, std::vector<Config>& cones) {
   for (const Clearance& c : cone_clearances(bit.cones))
     for (std::size_t k = 0; k < cones.size(); ++k)
       if (is_clash(c) && c.part_a.starts_with(bit.cones[k].name + "/"))
@@ -260,7 +259,7 @@ Bit read_cone_bit(Config& file, const std::string& name) {
   if (gage < std::numeric_limits<double>::infinity()) gage_radius = 0.5 * gage;
   try {
     Bit bit = build(std::move(layouts), gage_radius, shank, name, cones);
-    if (interference == Interference::refuse) note_overlaps(bit, cones);
+    if (interference == Interference::refuse) report_overlaps(bit, cones);
     if (has_legs && file.problem_count() == 0) build_legs(tables, legs, interference, bit);
     std::vector<std::string> without_density;
     apply_areas(file, bit, without_density);

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "bit/cone.hpp"
+#include "bit/bit.hpp"
 #include "bit/files/key_ranges.hpp"
 #include "core/config/key.hpp"
 

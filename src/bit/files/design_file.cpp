@@ -106,7 +106,7 @@ std::vector<Cutter> read_design(Config c, double gage_radius, const CutterDefaul
   d.backups = read_backups(c.table(backup_keys::table));
   d.gage = read_gage(c.table(gage_row_keys::table));
   if (c.problem_count() > 0) return {};
-  const Layout layout = lay_out(d);
+  const Layout layout = make_layout(d);
   for (const DesignProblem& p : layout.problems) c.problem(p.key, p.found, p.expected);
   return layout.problems.empty() ? layout.cutters : std::vector<Cutter>{};
 }

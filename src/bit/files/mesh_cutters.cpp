@@ -6,9 +6,9 @@
 #include <set>
 #include <string_view>
 
-#include "bit/cutter/cutter_frame.hpp"
-#include "core/angles.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "core/tolerance.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -55,7 +55,7 @@ bool take_shape(const std::vector<Vec3>& vertices, Cutter& c) {
 }
 
 /// Sets azimuth, height, profile angle and rakes, bit (1).
-void take_place(Cutter& c) {
+void set_table_place(Cutter& c) {
   const Vec3 tip = c.X_BC * tip_C(c), x = c.X_BC.R.col(0), z = c.X_BC.R.col(2);
   c.tip_radius = tip.head<2>().norm();
   c.azimuth = std::atan2(tip.y(), tip.x());
@@ -124,7 +124,7 @@ std::optional<Cutter> cutter_from_meshes(Pose X_BC, const std::vector<Part>& par
   }
   if (!take_shape(vertices, c)) return std::nullopt;
   c.X_BC = X_BC;
-  take_place(c);
+  set_table_place(c);
   if (!(std::cos(c.side_rake) > 0.0)) return std::nullopt;
   c.length = length_of(X_BC, parts);
   c.table_thickness = std::min(c.length, chamfer_depth(c));
@@ -146,7 +146,7 @@ void add_cutters(const PartsFromFiles& read, Bit& bit) {
     bit.cutters.push_back(*cutter);
   }
   number(bit.cutters);
-  bit.cutters_from = CuttersFrom::meshes;
+  bit.cutter_source = CutterSource::meshes;
 }
 
 }  // namespace tdbd::bit

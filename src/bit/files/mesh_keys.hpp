@@ -2,8 +2,8 @@
 
 #include <limits>
 
+#include "bit/bit.hpp"
 #include "bit/files/key_ranges.hpp"
-#include "bit/part_kind.hpp"
 #include "core/config/key.hpp"
 
 /// The keys of a bit whose parts come from mesh files.

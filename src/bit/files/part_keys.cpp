@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "bit/bit.hpp"
 #include "bit/files/mesh_keys.hpp"
-#include "bit/part_kind.hpp"
 #include "mesh/repair/repair.hpp"
 
 namespace tdbd::bit {
@@ -36,8 +36,8 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-void note_mesh_faults(Config& c, const std::string& key, const std::string& file,
-                      const std::vector<mesh::Solid>& solids, const std::string& expected) {
+void report_mesh_faults(Config& c, const std::string& key, const std::string& file,
+                        const std::vector<mesh::Solid>& solids, const std::string& expected) {
   const std::vector<std::string> lines = mesh::mesh_faults(file, solids);
   if (lines.empty()) return;
   c.problem(key, file + ", which bounds no solid", expected);

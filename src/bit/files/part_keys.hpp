@@ -21,11 +21,11 @@ Vec3 read_direction(Config& c, const Vec3& fallback);
 std::string listed(const std::vector<std::string>& names);
 
 /// What is expected in place of a missing density, for messages.
-inline constexpr const char* density_wanted =
+inline constexpr const char* expected_density =
     "a density, or 0 for what is counted elsewhere: mass properties are required";
 
 /// Records, at the key that names a mesh file, the faults of its solids and how to repair them.
-void note_mesh_faults(Config& c, const std::string& key, const std::string& file,
-                      const std::vector<mesh::Solid>& solids, const std::string& expected);
+void report_mesh_faults(Config& c, const std::string& key, const std::string& file,
+                        const std::vector<mesh::Solid>& solids, const std::string& expected);
 
 }  // namespace tdbd::bit

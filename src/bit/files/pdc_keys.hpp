@@ -1,10 +1,10 @@
 #pragma once
 
 #include "bit/body/blade_shape.hpp"
-#include "bit/cutter/cutter_parts.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "bit/cutter/cutter_table.hpp"
 #include "bit/files/key_ranges.hpp"
-#include "bit/pdc/gage_pads.hpp"
+#include "bit/pdc/pdc_bit.hpp"
 #include "core/config/key.hpp"
 
 /// The keys of a bit file: its top level, and the tables of a bit with PDC cutters. The defaults

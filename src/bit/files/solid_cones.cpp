@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bit/cone/cone_frame.hpp"
-#include "bit/cone/cone_rolling.hpp"
+#include "bit/cone/cone_bit.hpp"
+#include "bit/cone/cone_measures.hpp"
 #include "bit/files/mesh_keys.hpp"
 #include "core/config/toml_text.hpp"
 

@@ -5,8 +5,8 @@
 
 #include "bit/files/mesh_keys.hpp"
 #include "bit/files/part_keys.hpp"
-#include "core/wildcard.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "core/text.hpp"
+#include "rotation/screw.hpp"
 
 namespace tdbd::bit {
 namespace {

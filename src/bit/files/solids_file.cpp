@@ -6,15 +6,14 @@
 #include <map>
 #include <utility>
 
-#include "bit/cone/cone_rolling.hpp"
+#include "bit/cone/cone_measures.hpp"
 #include "bit/files/mesh_keys.hpp"
 #include "bit/files/part_keys.hpp"
 #include "bit/files/solid_cones.hpp"
 #include "bit/files/solid_rules.hpp"
 #include "bit/files/unit_question.hpp"
 #include "core/error.hpp"
-#include "core/nearest_name.hpp"
-#include "core/wildcard.hpp"
+#include "core/text.hpp"
 #include "mesh/files/solids.hpp"
 
 namespace tdbd::bit {
@@ -28,7 +27,7 @@ std::vector<mesh::Solid> read_file(Config& c) {
   if (file.empty()) return {};
   try {
     std::vector<mesh::Solid> solids = mesh::read_solids(file, unit);
-    note_mesh_faults(c, "file", file, solids, solids_wanted);
+    report_mesh_faults(c, "file", file, solids, solids_wanted);
     return solids;
   } catch (const InputError& e) {
     c.problem(solids_keys::file, e.what(), solids_wanted);
@@ -136,9 +135,9 @@ PartsFromFiles read_solid_parts(Config& file, DirectionRule directions, InsideRu
     if (Cone& cone = read.cones[i]; cone.rolling_ratio == 0.0)
       cone.rolling_ratio = rolling_ratio_of_parts(cone, static_cast<int>(i), read.parts);
   check_parts(file, read.parts);
-  if (checks_units(file)) ask_for_unit(c, "unit", read.parts, c.read(solids_keys::unit));
+  if (unit_check_enabled(file)) unit_error(c, "unit", read.parts, c.read(solids_keys::unit));
   if (densities == Densities::required && !read.without_density.empty())
-    c.problem("rules", "no density of " + listed(read.without_density), density_wanted);
+    c.problem("rules", "no density of " + listed(read.without_density), expected_density);
   return read;
 }
 

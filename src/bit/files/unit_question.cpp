@@ -37,16 +37,16 @@ std::string unit_question(double size, double unit, const SizeRange& usual) {
                      guesses.empty() ? "in what unit is it?" : "is it " + guesses + "?");
 }
 
-bool checks_units(Config& c) { return c.read(bit_file_keys::unit_check); }
+bool unit_check_enabled(Config& c) { return c.read(bit_file_keys::unit_check); }
 
-void ask_for_unit(Config& c, const std::string& key, const std::vector<Part>& parts, double unit) {
+void unit_error(Config& c, const std::string& key, const std::vector<Part>& parts, double unit) {
   if (parts.empty()) return;
   const std::string question = unit_question(across(parts), unit, bit_across);
   if (!question.empty()) c.problem(key, question, unit_wanted);
 }
 
-void ask_for_unit(Config& c, const std::string& key, const mesh::TriangleMesh& m, double unit,
-                  const SizeRange& usual) {
+void unit_error(Config& c, const std::string& key, const mesh::TriangleMesh& m, double unit,
+                const SizeRange& usual) {
   if (m.triangles.empty()) return;
   const std::string question = unit_question(mesh::bounding_box(m).size().maxCoeff(), unit, usual);
   if (!question.empty()) c.problem(key, question, unit_wanted);

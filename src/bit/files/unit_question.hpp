@@ -27,14 +27,14 @@ inline constexpr SizeRange body_along{"a body", 0.01, 20.0};
 std::string unit_question(double size, double unit, const SizeRange& usual);
 
 /// Reads the key unit_check of a file: "on", or "off" to allow objects of unusual size.
-bool checks_units(Config& c);
+bool unit_check_enabled(Config& c);
 
 /// Records a mistake at `key` if the parts together do not have the size of a bit. `unit`: of the
 /// files, m.
-void ask_for_unit(Config& c, const std::string& key, const std::vector<Part>& parts, double unit);
+void unit_error(Config& c, const std::string& key, const std::vector<Part>& parts, double unit);
 
 /// Records a mistake at `key` if a mesh does not have the usual size of its kind of object.
-void ask_for_unit(Config& c, const std::string& key, const mesh::TriangleMesh& m, double unit,
-                  const SizeRange& usual);
+void unit_error(Config& c, const std::string& key, const mesh::TriangleMesh& m, double unit,
+                const SizeRange& usual);
 
 }  // namespace tdbd::bit

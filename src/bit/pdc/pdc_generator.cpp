@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
-#include "bit/cutter/cutter_frame.hpp"
-#include "bit/cutter/cutter_gap.hpp"
-#include "core/angles.hpp"
+#include "bit/cutter/cutter.hpp"
+#include "bit/cutter/cutter_overlap.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::bit {
 namespace {
@@ -214,7 +214,7 @@ std::vector<int> blade_order(int n) {
   return order;
 }
 
-Layout lay_out(const PdcDesign& d) {
+Layout make_layout(const PdcDesign& d) {
   Layout layout{{}, design_problems(d)};
   if (!layout.problems.empty()) return layout;
   place_face(d, layout);

@@ -26,6 +26,6 @@ std::vector<int> blade_order(int n);
 /// lossless. Problems: those of design_problems; a cutter that fits on no blade; a gage or back-up
 /// cutter that collides with another one or is beyond the gage; a blade without cutters. Not in the
 /// thesis.
-Layout lay_out(const PdcDesign& d);
+Layout make_layout(const PdcDesign& d);
 
 }  // namespace tdbd::bit

@@ -1,10 +1,53 @@
 #pragma once
 
+#include <span>
+#include <string>
 #include <vector>
 
 #include "bit/bit.hpp"
 
 namespace tdbd::bit {
+
+/// Indices of the cutters that analyses before drilling include: those whose face cuts when the bit
+/// starts. Cutters that an area turns off, or that start later, are excluded. A cutter without a
+/// face is included if one of its parts cuts.
+std::vector<int> cutting_at_start(const Bit& bit);
+
+/// Returns these cutters of a bit.
+std::vector<Cutter> cutters_at(const Bit& bit, std::span<const int> indices);
+
+/// Expands values of these cutters to all cutters; the others get `otherwise`.
+std::vector<double> expand_to_all_cutters(const Bit& bit, std::span<const int> indices,
+                                          std::span<const double> values, double otherwise);
+
+/// Names of the excluded cutters: "cutter-3, cutter-5".
+std::string excluded_cutter_names(const Bit& bit);
+
+/// Width (m) of the columns in reports.
+inline constexpr double report_column_width = 0.1e-3;
+
+/// What each cutter cuts in steady drilling, in the order of the cutters, and how many cutters cut
+/// at each radius.
+struct Engagement {
+  std::vector<double> area;    ///< m2, cut area in the (r, z) half-plane
+  std::vector<double> volume;  ///< m3 per revolution
+  std::vector<int> cutting;    ///< per column of radius: cutters that remove rock there
+  double column_width = 0.0;   ///< m; column k is centred at (k + 1/2) column_width
+};
+
+/// Classical radial-plane analysis (Warren and Sinor 1986) in closed form, bit (10). The bit turns
+/// steadily and moves down by `advance` (m > 0) per revolution. Area and volume are sums of h dr
+/// and 2 pi r h dr over columns of at most `column_width` (m) from the axis to the widest rim.
+/// Chamfers lie inside the rim. Without cutters there are no columns.
+Engagement engagement(const std::vector<Cutter>& cutters, double advance, double column_width);
+
+/// Exposure of every cutter above its neighbours, m, with all rims rotated into one half-plane
+/// (turned_outline): along the cutter's profile normal, from the envelope of the other rims to its
+/// tip. Positive: the cutter protrudes and cuts by itself. Negative: others protrude beyond its
+/// tip. NaN if no other rim passes within its own diameter. Two equal cutters of radius R without
+/// rakes, side by side at a distance d < R on a flat profile have R - sqrt(R^2 - d^2). Not in the
+/// thesis.
+std::vector<double> exposures(const std::vector<Cutter>& cutters);
 
 /// Overlap of each cutter with the next one, over their mean diameter, when all are rotated into
 /// one half-plane, in ascending order of radius, then height. Negative if tips are farther apart

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bit/bit.hpp"
+#include "bit/update_direction.hpp"
 
 namespace tdbd::bit {
 
@@ -21,5 +22,13 @@ struct ProfilePoint {
 /// the bit leaves it. Throws InputError if no part cuts. Thesis: fig. 3.8 (we have only its title);
 /// the construction is not in the thesis.
 std::vector<ProfilePoint> exposure_profile(const std::vector<Part>& parts, double spacing);
+
+/// Update direction of the parts of a cutter whose frame is not known: eq. 4.2 with the normal of
+/// the exposure profile into the rock in place of U~ (the same for a cutter without back rake). It
+/// is the normal of a chord of the profile, as long as the parts, about the point nearest to their
+/// middle, so that the scallops between cutters average out. Within 8 degrees of the direction from
+/// the frame on bits A, B and C. Reconstructed; thesis: 4.1.2.1.
+Vec3 profile_direction(const std::vector<ProfilePoint>& profile, const std::vector<Part>& parts,
+                       DirectionRule rule, InsideRule inside);
 
 }  // namespace tdbd::bit

@@ -1,34 +1,65 @@
 #include "bit/report/bit_report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "bit/body/body_overlap.hpp"
+#include "bit/body/bit_body.hpp"
 #include "bit/cone/cone_interference.hpp"
 #include "bit/cone/cone_parts.hpp"
-#include "bit/cone/leg_clearance.hpp"
-#include "bit/cone/meridian.hpp"
-#include "bit/cutter/cutter_frame.hpp"
-#include "bit/cutter/rim_reach.hpp"
-#include "bit/mass_properties.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "bit/profile/bit_analysis.hpp"
-#include "bit/profile/counted_cutters.hpp"
-#include "bit/profile/engagement.hpp"
-#include "bit/profile/exposure.hpp"
 #include "bit/profile/exposure_profile.hpp"
-#include "bit/report/area_report.hpp"
-#include "bit/report/assumption_report.hpp"
 #include "bit/report/bit_output.hpp"
 #include "bit/report/body_report.hpp"
 #include "bit/report/cone_report.hpp"
-#include "bit/report/overlap_report.hpp"
-#include "bit/report/tracking_report.hpp"
 #include "io/whole_file.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::bit {
+namespace {
+
+double total(const std::vector<CutterOverlap>& overlaps) {
+  double volume = 0.0;
+  for (const CutterOverlap& o : overlaps) volume += o.volume;
+  return volume;
+}
+
+int id_of(const Bit& bit, int cutter) { return bit.cutters[static_cast<std::size_t>(cutter)].id; }
+
+}  // namespace
+
+nlohmann::ordered_json overlaps_json(const Bit& bit, const std::vector<CutterOverlap>& overlaps) {
+  nlohmann::ordered_json pairs = nlohmann::ordered_json::array();
+  for (const CutterOverlap& o : overlaps)
+    pairs.push_back({{"a", fmt::format("cutter-{}", id_of(bit, o.a))},
+                     {"b", fmt::format("cutter-{}", id_of(bit, o.b))},
+                     {"volume_m3", o.volume}});
+  return {{"volume_m3", total(overlaps)}, {"pairs", pairs}};
+}
+
+std::string overlaps_text(const Bit& bit, const std::vector<CutterOverlap>& overlaps) {
+  if (overlaps.empty()) return "";
+  const CutterOverlap& worst = std::ranges::max(overlaps, {}, &CutterOverlap::volume);
+  return fmt::format(
+      "warning: {} pairs of cutters overlap by {:.1f} mm3 in all, which counts twice in the mass; "
+      "most, {:.1f} mm3, cutters {} and {}\n",
+      overlaps.size(), 1e9 * total(overlaps), 1e9 * worst.volume, id_of(bit, worst.a),
+      id_of(bit, worst.b));
+}
+
+std::string enclosed_text(const Bit& bit) {
+  std::string text;
+  for (const auto& [inner, outer] : enclosed_parts(bit))
+    text += fmt::format("warning: {} lies inside {}, so its volume counts twice in the mass\n",
+                        bit.parts[static_cast<std::size_t>(inner)].name,
+                        bit.parts[static_cast<std::size_t>(outer)].name);
+  return text;
+}
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -82,10 +113,12 @@ void add_placing(const Cutter& c, Json& entry) {
 Json cutters_json(const Bit& bit, const std::vector<int>& counted,
                   const std::vector<Cutter>& cutting, const Engagement& e) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<double> overlap = among_all(bit, counted, overlaps(cutting), unknown),
-                            exposure = among_all(bit, counted, exposures(cutting), unknown),
-                            area = among_all(bit, counted, e.area, 0.0),
-                            volume = among_all(bit, counted, e.volume, 0.0);
+  const std::vector<double> overlap =
+                                expand_to_all_cutters(bit, counted, overlaps(cutting), unknown),
+                            exposure =
+                                expand_to_all_cutters(bit, counted, exposures(cutting), unknown),
+                            area = expand_to_all_cutters(bit, counted, e.area, 0.0),
+                            volume = expand_to_all_cutters(bit, counted, e.volume, 0.0);
   Json cutters = Json::array();
   for (std::size_t k = 0; k < bit.cutters.size(); ++k) {
     cutters.push_back(cutter_of(bit.cutters[k], overlap[k], area[k], volume[k]));
@@ -151,7 +184,7 @@ Json parts_json(const Bit& bit) {
   for (const Part& p : bit.parts)
     parts.push_back({{"name", p.name},
                      {"kind", kind_name(p.kind)},
-                     {"cuts", cutting_in_the_end(p) == Cutting::cuts},
+                     {"cuts", final_cutting(p) == Cutting::cuts},
                      {"cutter", p.cutter},
                      {"cone", p.cone},
                      {"volume_m3", mesh::enclosed_volume(p.mesh_P)},
@@ -192,7 +225,7 @@ void add_cones(const Bit& bit, Json& file) {
 }  // namespace
 
 std::string analysis_json(const Bit& bit, const ReportOptions& options) {
-  const std::vector<int> counted = counted_cutters(bit);
+  const std::vector<int> counted = cutting_at_start(bit);
   const std::vector<Cutter> cutting = cutters_at(bit, counted);
   const Engagement e = engagement(cutting, options.advance, report_column_width);
   const MassProperties mass = mass_properties(bit);

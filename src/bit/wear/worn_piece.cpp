@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "bit/cone/cone_measures.hpp"
-#include "bit/cutter/cutter_frame.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "core/error.hpp"
 #include "mesh/measures.hpp"
-#include "mesh/shape/clip_convex.hpp"
+#include "mesh/shape/convex.hpp"
 
 namespace tdbd::bit {
 namespace {

@@ -115,7 +115,7 @@ std::vector<std::vector<int>> decided_of(bit::Areas& areas, const bit::Bit& bit,
           shown[i] = "an unknown";
         }
     }
-    decided.push_back(bit::decide_or_note(areas, bit, fields[k].key, values, shown));
+    decided.push_back(bit::decide_or_report(areas, bit, fields[k].key, values, shown));
   }
   return decided;
 }

@@ -11,7 +11,7 @@
 #include "calibration/case/read_unknowns.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
-#include "core/nearest_name.hpp"
+#include "core/text.hpp"
 #include "simulation/case/case_spalling.hpp"
 #include "simulation/case/spalling_keys.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "calibration/case/area_laws.hpp"
 #include "calibration/case/calibration_keys.hpp"
-#include "calibration/record/read_records.hpp"
+#include "calibration/record/record.hpp"
 #include "forces/law.hpp"
 #include "forces/rock/rock_material.hpp"
 #include "rock/section/breakout.hpp"

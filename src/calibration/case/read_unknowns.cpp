@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/nearest_name.hpp"
+#include "core/text.hpp"
 #include "simulation/case/force_keys.hpp"
 
 namespace tdbd::calibration {

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "bit/files/bit_file.hpp"
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"
+#include "forces/laws/cutter_laws.hpp"
 #include "simulation/step/simulation.hpp"
 
 namespace tdbd::calibration {
@@ -77,7 +79,7 @@ CutOfPart mean_of(const Sum& s, double steps) {
 
 /// Throws InputError for a bit with cones. Mistakes in the generated case would mean nothing to the
 /// user.
-void refuse_cones(const CalibrationCase& c, const Tool& tool) {
+void reject_cones(const CalibrationCase& c, const Tool& tool) {
   const bit::BitFile file = bit::read_bit(tool.bit_file, {}, {});
   if (!file.bit.cones.empty())
     throw InputError(
@@ -108,7 +110,7 @@ simulation::Case cut_case(const CalibrationCase& c, const Tool& bit, double dept
   try {
     return simulation::read_case(Config::read_text(text, c.path), c.path);
   } catch (const InputError&) {
-    refuse_cones(c, bit);
+    reject_cones(c, bit);
     throw;
   }
 }
@@ -126,6 +128,44 @@ CutRun make_cut_run(const simulation::Case& c, double depth, long steps_per_revo
   for (const Sum& sum : sums)
     if (sum.weight > 0.0)
       run.cuts.push_back(mean_of(sum, static_cast<double>(steps_per_revolution)));
+  return run;
+}
+
+namespace {
+
+/// Length of the rim in the rock: an arc of the face, which is foreshortened in depth.
+double engaged_rim(const SingleCutter& c, double depth) {
+  const double radius = 0.5 * c.diameter;
+  const double in_face = depth / std::cos(c.back_rake);
+  return c.diameter * std::acos(std::clamp(1.0 - in_face / radius, -1.0, 1.0));
+}
+
+const Vec3 arm(0.0, -1.0, 0.0);  // m
+
+}  // namespace
+
+CutRun groove_cut(const SingleCutter& c, double depth, double ahead_share) {
+  const forces::GrooveCutter groove{c.diameter, c.back_rake};
+  double cut_area = forces::groove_area(groove, depth);
+  if (ahead_share > 0.0) cut_area -= forces::groove_area(groove, ahead_share * depth);
+  const double rim = engaged_rim(c, depth);
+  simulation::CutOfPart face;
+  face.cut.kind = bit::PartKind::face;
+  face.cut.diameter = c.diameter;
+  face.cut.engaged_edge = rim;
+  face.cut.point = arm;
+  face.cut.normal = Vec3::UnitZ();
+  face.face_area = cut_area / std::cos(c.back_rake);
+  face.forward_W = Vec3(std::cos(c.back_rake), 0.0, -std::sin(c.back_rake));
+  CutRun run{depth, {face}};
+  const double pressed = c.wear_flat + c.chamfer * rim;
+  if (!(pressed > 0.0)) return run;
+  simulation::CutOfPart flat = face;
+  flat.cut.kind = bit::PartKind::chamfer;
+  flat.cut.contact_area = pressed;
+  flat.face_area = 0.0;
+  flat.forward_W.setZero();
+  run.cuts.push_back(flat);
   return run;
 }
 

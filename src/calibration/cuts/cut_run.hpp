@@ -12,7 +12,7 @@ namespace tdbd::calibration {
 /// The mean cuts of the parts of a tool at one depth of cut, in the frame of the tool: quantities
 /// that simulation::CutOfPart gives in frame W are in the frame B of the bit here, whose z axis
 /// points down the hole and is its axis of rotation. The frame of a single cutter is that of
-/// groove_cut.hpp. The cuts depend only on tool and depth (calibration (1)), so one cut run is used
+/// cut_run.hpp. The cuts depend only on tool and depth (calibration (1)), so one cut run is used
 /// for all pressures, speeds and coefficients.
 struct CutRun {
   double depth = 0.0;  ///< m: per revolution of a bit, or of the groove of a cutter
@@ -29,5 +29,13 @@ simulation::Case cut_case(const CalibrationCase& c, const Tool& bit, double dept
 
 /// Runs the case and averages over its last revolution, calibration (1). Throws RunError.
 CutRun make_cut_run(const simulation::Case& c, double depth, long steps_per_revolution);
+
+/// The cut of a single cutter that moves along flat rock in a groove of this depth (m), from
+/// geometry (calibration (2)). Frame: x along the motion, z into the rock. The cutter is on an arm
+/// of 1 m along -y, so that the torque about z equals its drag and a cutter test is evaluated like
+/// that of a bit. A wear flat and a chamfer press on the rock as one part of kind chamfer.
+/// `ahead_share` is the share of the depth, from the top, that chips off ahead of the face (rock
+/// (21)); the face cuts the rest.
+CutRun groove_cut(const SingleCutter& cutter, double depth, double ahead_share = 0.0);
 
 }  // namespace tdbd::calibration

@@ -1,13 +1,127 @@
 #include "calibration/fit/fit.hpp"
 
+#include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_errno.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/fit/bounded_map.hpp"
+#include "core/error.hpp"
+#include "core/random.hpp"
 
 namespace tdbd::calibration {
+namespace {
+
+Eigen::VectorXd gradient_at(Search& s) {
+  s.evaluations += 2 * s.values.size() + 1;
+  return jacobian_at(s.problem, s.values).transpose() * residuals_at(s.problem, s.data, s.values);
+}
+
+/// For each unknown, whether it is driven out of its range at the values of a search.
+std::vector<bool> driven_out(const Search& s, const Eigen::VectorXd& gradient) {
+  std::vector<bool> out;
+  for (Eigen::Index k = 0; k < s.values.size(); ++k)
+    out.push_back(is_driven_out_of_range(s.problem.unknowns[static_cast<std::size_t>(k)],
+                                         s.values[k], gradient[k]));
+  return out;
+}
+
+/// Fixes the unknowns that are driven out. Returns whether there were any.
+bool hold(Search& s, const std::vector<bool>& out) {
+  const auto is_out = [&](Eigen::Index k) { return out[static_cast<std::size_t>(k)]; };
+  for (const Eigen::Index k : s.free)
+    if (is_out(k))
+      s.values[k] = end_of(s.problem.unknowns[static_cast<std::size_t>(k)], s.values[k]);
+  return std::erase_if(s.free, is_out) > 0;
+}
+
+/// Whether all fixed unknowns belong at their ends: the objective decreases outwards, or its
+/// minimum is so close to the end that the gain would be negligible.
+bool are_fixed_correctly(const Search& s, const Eigen::VectorXd& gradient) {
+  constexpr double no_gain = 1e-3;  // in half the sum of squares
+  const std::vector<bool> out = driven_out(s, gradient);
+  for (Eigen::Index k = 0; k < s.values.size(); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (out[i] || std::ranges::binary_search(s.free, k)) continue;
+    if (std::abs(gradient[k]) * end_width(s.problem.unknowns[i]) > no_gain) return false;
+  }
+  return true;
+}
+
+/// Frees unknowns that are fixed although the objective now decreases inwards; each only a few
+/// times, because one with a minimum within the width of the end would otherwise alternate forever.
+/// Returns whether there were any.
+bool release(Search& s, const std::vector<bool>& out, std::vector<int>& releases) {
+  constexpr int most_releases = 3;
+  const std::size_t before = s.free.size();
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    if (out[k] || releases[k] == most_releases || std::ranges::binary_search(s.free, i)) continue;
+    ++releases[k];
+    s.values[i] = inside_of(s.problem.unknowns[k], s.values[i]);
+    s.free.insert(std::ranges::lower_bound(s.free, i), i);
+  }
+  return s.free.size() > before;
+}
+
+}  // namespace
+
+Solution solve(const Problem& p, const Data& data, const Eigen::VectorXd& start,
+               Precision precision) {
+  if (p.unknowns.empty()) return {start, residuals_at(p, data, start).squaredNorm(), true, 1, ""};
+  gsl_set_error_handler_off();
+  Search search{p, data, start, {}};
+  for (Eigen::Index k = 0; k < start.size(); ++k) search.free.push_back(k);
+  int status = GSL_SUCCESS;
+  std::vector<bool> out;
+  std::vector<int> releases(p.unknowns.size(), 0);
+  Eigen::VectorXd gradient;
+  do {
+    status = search_from_values(search);
+    gradient = gradient_at(search);
+    out = driven_out(search, gradient);
+  } while (hold(search, out) || (status == GSL_SUCCESS && release(search, out, releases)));
+  const bool settled = status == GSL_SUCCESS && are_fixed_correctly(search, gradient);
+  if (settled && precision == Precision::full) polish(search);
+  Solution s;
+  s.values = search.values;
+  s.chi2 = residuals_at(p, data, s.values).squaredNorm();
+  s.evaluations = search.evaluations;
+  s.converged = settled && std::isfinite(s.chi2);
+  if (!s.converged) s.reason = gsl_strerror(status);
+  return s;
+}
+
+Eigen::VectorXd drawn_start(const Problem& p, std::uint64_t seed) {
+  Random random{seed};
+  Eigen::VectorXd values(static_cast<Eigen::Index>(p.unknowns.size()));
+  for (std::size_t k = 0; k < p.unknowns.size(); ++k) {
+    const Unknown& u = p.unknowns[k];
+    const bool two_ends = std::isfinite(u.range.lo) && std::isfinite(u.range.hi);
+    const double width = u.range.hi - u.range.lo;
+    values[static_cast<Eigen::Index>(k)] = two_ends
+                                               ? u.range.lo + width * random.uniform(0.25, 0.75)
+                                               : u.start * std::exp2(random.uniform(-1.0, 1.0));
+  }
+  return values;
+}
+
+Solution solve_from_starts(const Problem& p, const Data& data, std::uint64_t seed) {
+  Eigen::VectorXd start(static_cast<Eigen::Index>(p.unknowns.size()));
+  for (std::size_t k = 0; k < p.unknowns.size(); ++k)
+    start[static_cast<Eigen::Index>(k)] = p.unknowns[k].start;
+  std::string reason;
+  for (int attempt = 0; attempt <= further_starts; ++attempt) {
+    const Solution s = solve(p, data, start);
+    if (s.converged) return s;
+    if (attempt == 0) reason = s.reason;
+    start = drawn_start(p, seed + static_cast<std::uint64_t>(attempt));
+  }
+  throw RunError(fmt::format("the fit converges from none of {} starts; from the case's: {}",
+                             further_starts + 1, reason));
+}
+
 namespace {
 
 std::vector<Eigen::Index> inside(const Problem& p, const Eigen::VectorXd& values) {
@@ -35,7 +149,7 @@ Eigen::MatrixXd covariance_at(const Problem& p, const Eigen::VectorXd& values) {
 FittedCoefficient coefficient_of(const Unknown& u, double value, double variance, double z) {
   FittedCoefficient c{u.key, u.start, value, std::sqrt(variance),
                       value, value,   false, is_at_bound(u.range, value, u.start)};
-  c.from_prior = u.prior_sd && (c.at_bound || c.se > most_of_prior * *u.prior_sd);
+  c.from_prior = u.prior_sd && (c.at_bound || c.se > prior_dominance * *u.prior_sd);
   if (c.at_bound) return c;
   c.low = std::max(u.range.lo, value - z * c.se);
   c.high = std::min(u.range.hi, value + z * c.se);

@@ -70,7 +70,7 @@ std::string kinds_of(forces::Law law, const std::string& key) {
   return kinds;
 }
 
-void refuse_dead_knobs(const Problem& p, const Eigen::MatrixXd& J) {
+void reject_ineffective_unknowns(const Problem& p, const Eigen::MatrixXd& J) {
   std::string lines;
   for (std::size_t k = 0; k < p.unknowns.size(); ++k) {
     const auto column =
@@ -115,7 +115,7 @@ void require_identifiable(const Problem& p) {
   if (p.unknowns.empty()) return;
   const Eigen::VectorXd values = starts(p);
   const Eigen::MatrixXd J = relative(p, jacobian_at(p, values), values);
-  refuse_dead_knobs(p, J);
+  reject_ineffective_unknowns(p, J);
   const auto svd = decomposed(J);
   const Eigen::VectorXd& s = svd.singularValues();
   if (s.size() == values.size() && s[s.size() - 1] > unseen * s[0]) return;

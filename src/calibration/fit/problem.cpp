@@ -4,7 +4,92 @@
 #include <cmath>
 #include <utility>
 
+#include "core/types.hpp"
+#include "simulation/case/case_forces.hpp"
+
 namespace tdbd::calibration {
+namespace {
+
+/// Velocity of the tool: a bit rotates about z and moves along it; a cutter moves along x without
+/// rotation.
+simulation::BitVelocity velocity_of(const Record& record) {
+  simulation::BitVelocity v;
+  if (record.rate > 0.0) {
+    v.v_W = record.rate * Vec3::UnitZ();
+    v.w_W = record.speed * Vec3::UnitZ();
+  } else {
+    v.v_W = record.speed * Vec3::UnitX();
+  }
+  return v;
+}
+
+/// Adds the loads of a force on the tool: opposite to z, and opposite to the rotation about z.
+void add(const forces::PartForce& f, Loads& loads) {
+  loads[axial] -= f.force.z();
+  loads[turning] -= f.point.x() * f.force.y() - f.point.y() * f.force.x();
+}
+
+bool follows(const forces::Law& law, const forces::PartCut& cut) {
+  return simulation::follows_the_run(cut.kind) &&
+         forces::law_problem(law, cut.kind, cut.diameter).empty();
+}
+
+const forces::Law& law_of(Laws laws, const Sample& sample, std::size_t cut) {
+  return laws[sample.mix.empty() ? 0 : at(sample.mix[cut])];
+}
+
+}  // namespace
+
+Sample sample_of(const CutRun& run, const Record& record, const forces::Strength& strength,
+                 const forces::Law& law, std::span<const int> mix_of_part) {
+  static const bit::Bit without_cones;
+  constexpr double instant = 1.0;  // s; only PartCut::path depends on it
+  const simulation::BitVelocity motion = velocity_of(record);
+  Sample sample;
+  for (const simulation::CutOfPart& mean : run.cuts) {
+    forces::PartCut cut = simulation::cut_at(without_cones, Pose{}, motion, instant, mean);
+    cut.strength = strength;
+    if (follows(law, cut)) {
+      sample.cuts.push_back(cut);
+      if (!mix_of_part.empty()) sample.mix.push_back(mix_of_part[at(mean.part)]);
+    } else
+      add(forces::force(simulation::own_law_of(cut.kind), cut), sample.others);
+  }
+  return sample;
+}
+
+Loads mean_loads(Laws laws, const Sample& sample) {
+  Loads loads = sample.others;
+  for (std::size_t i = 0; i < sample.cuts.size(); ++i)
+    add(forces::force(law_of(laws, sample, i), sample.cuts[i]), loads);
+  return loads;
+}
+
+Loads loads_of(Laws laws, const Sample& sample, const Kinds& kinds) {
+  Loads loads{};
+  for (std::size_t i = 0; i < sample.cuts.size(); ++i)
+    if (kinds[static_cast<std::size_t>(sample.cuts[i].kind)])
+      add(forces::force(law_of(laws, sample, i), sample.cuts[i]), loads);
+  return loads;
+}
+
+Loads depth_slopes(Laws laws, const Sample& sample) {
+  constexpr double step = 1e-4;
+  const auto scaled = [&](double factor) {
+    Sample s = sample;
+    for (forces::PartCut& cut : s.cuts) {
+      cut.cut_area *= factor;
+      cut.depth *= factor;
+    }
+    return mean_loads(laws, s);
+  };
+  const Loads more = scaled(1.0 + step), less = scaled(1.0 - step);
+  Loads slopes{};
+  for (const std::size_t k : {axial, turning})
+    if (more[k] > 0.0 && less[k] > 0.0) slopes[k] = std::log(more[k] / less[k]) / (2.0 * step);
+  return slopes;
+}
+
 namespace {
 
 /// Names of the tests in order of their first occurrence.
@@ -179,12 +264,12 @@ Eigen::VectorXd residuals_at(const Problem& p, const Data& data, const Eigen::Ve
                   values - data.prior_centres);
 }
 
-OneMoves::OneMoves(const Problem& problem, const Eigen::VectorXd& values)
+SingleChange::SingleChange(const Problem& problem, const Eigen::VectorXd& values)
     : problem_(problem), values_(values) {
   for (const Unknown& u : problem.unknowns) kinds_.push_back(kinds_felt(problem.law, law_key(u)));
 }
 
-const std::vector<Loads>& OneMoves::rest_of(const Kinds& moved) {
+const std::vector<Loads>& SingleChange::rest_of(const Kinds& moved) {
   std::vector<Loads>& rest = rests_[moved];
   if (!rest.empty()) return rest;
   Kinds others{};
@@ -197,7 +282,7 @@ const std::vector<Loads>& OneMoves::rest_of(const Kinds& moved) {
   return rest;
 }
 
-Eigen::VectorXd OneMoves::residuals(Eigen::Index k, double value) {
+Eigen::VectorXd SingleChange::residuals(Eigen::Index k, double value) {
   const Kinds& kinds = kinds_[static_cast<std::size_t>(k)];
   std::vector<Loads> loads = rest_of(kinds);
   Eigen::VectorXd values = values_;
@@ -212,7 +297,7 @@ Eigen::VectorXd OneMoves::residuals(Eigen::Index k, double value) {
 
 Eigen::MatrixXd jacobian_at(const Problem& p, const Eigen::VectorXd& values,
                             Difference difference) {
-  OneMoves moves(p, values);
+  SingleChange moves(p, values);
   Eigen::VectorXd here;
   const auto rows_at = [&](Eigen::Index k, double value) {
     if (value != values[k]) return moves.residuals(k, value);

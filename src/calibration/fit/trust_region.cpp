@@ -7,9 +7,35 @@
 #include <cmath>
 #include <memory>
 
-#include "calibration/fit/bounded_map.hpp"
-
 namespace tdbd::calibration {
+namespace {
+
+/// A Range with an upper end also has a lower one: laws have no other coefficients.
+bool has_both_ends(const Range& r) { return std::isfinite(r.lo) && std::isfinite(r.hi); }
+
+}  // namespace
+
+double value_of(const Range& r, double u) {
+  if (has_both_ends(r)) return r.lo + (r.hi - r.lo) / (1.0 + std::exp(-u));
+  return std::isfinite(r.lo) ? r.lo + std::exp(u) : u;
+}
+
+double free_variable(const Range& r, double value) {
+  if (has_both_ends(r)) return std::log((value - r.lo) / (r.hi - value));
+  return std::isfinite(r.lo) ? std::log(value - r.lo) : value;
+}
+
+double slope_at(const Range& r, double value) {
+  if (has_both_ends(r)) return (value - r.lo) * (r.hi - value) / (r.hi - r.lo);
+  return std::isfinite(r.lo) ? value - r.lo : 1.0;
+}
+
+bool is_at_bound(const Range& r, double value, double start) {
+  if (has_both_ends(r))
+    return std::min(value - r.lo, r.hi - value) < at_bound_share * (r.hi - r.lo);
+  return std::isfinite(r.lo) && value - r.lo < at_bound_share * (start - r.lo);
+}
+
 namespace {
 
 Eigen::VectorXd values_of(const Search& s, const gsl_vector* u) {
@@ -74,7 +100,8 @@ bool is_flat(gsl_multifit_nlinear_workspace* w) {
 bool drives_one_out(const Search& s, const gsl_multifit_nlinear_workspace* w) {
   const Eigen::VectorXd values = values_of(s, w->x);
   for (std::size_t i = 0; i < s.free.size(); ++i)
-    if (is_driven_out(s.unknown(i), values[s.free[i]], gsl_vector_get(w->g, i))) return true;
+    if (is_driven_out_of_range(s.unknown(i), values[s.free[i]], gsl_vector_get(w->g, i)))
+      return true;
   return false;
 }
 
@@ -99,7 +126,7 @@ bool is_nearer_to_lower_end(const Range& r, double value) {
 
 }  // namespace
 
-bool is_driven_out(const Unknown& u, double value, double gradient) {
+bool is_driven_out_of_range(const Unknown& u, double value, double gradient) {
   if (!is_at_bound(u.range, value, u.start)) return false;
   return is_nearer_to_lower_end(u.range, value) ? gradient >= 0.0 : gradient <= 0.0;
 }
@@ -111,16 +138,16 @@ double end_width(const Unknown& u) {
 namespace {
 
 /// The value at `widths` end widths inside of the end that the value is at.
-double beside_end(const Unknown& u, double value, double widths) {
-  const double room = widths * end_width(u);
-  return is_nearer_to_lower_end(u.range, value) ? u.range.lo + room : u.range.hi - room;
+double near_end_of_range(const Unknown& u, double value, double widths) {
+  const double margin = widths * end_width(u);
+  return is_nearer_to_lower_end(u.range, value) ? u.range.lo + margin : u.range.hi - margin;
 }
 
 }  // namespace
 
-double end_of(const Unknown& u, double value) { return beside_end(u, value, 1e-5); }
+double end_of(const Unknown& u, double value) { return near_end_of_range(u, value, 1e-5); }
 
-double inside_of(const Unknown& u, double value) { return beside_end(u, value, 10.0); }
+double inside_of(const Unknown& u, double value) { return near_end_of_range(u, value, 10.0); }
 
 int search_from_values(Search& search) {
   constexpr double tolerance = 1e-5;
@@ -143,6 +170,47 @@ int search_from_values(Search& search) {
   if (status == GSL_SUCCESS) status = iterate(search, tolerance, w.get());
   search.values = values_of(search, gsl_multifit_nlinear_position(w.get()));
   return status;
+}
+
+namespace {
+
+/// Derivatives with respect to the free variables u of the free unknowns: fourth-order differences
+/// with a wide step, because a small step would lose the required digits.
+Eigen::MatrixXd wide_derivatives(Search& s, const Eigen::VectorXd& u) {
+  constexpr double h = 1e-3;
+  constexpr int evaluations = 4;
+  SingleChange moves(s.problem, s.values);
+  Eigen::MatrixXd J(s.problem.rows(), u.size());
+  for (Eigen::Index k = 0; k < u.size(); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const auto at = [&](double step) {
+      return moves.residuals(s.free[i], value_of(s.unknown(i).range, u[k] + step));
+    };
+    J.col(k) = (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
+  }
+  s.evaluations += evaluations * u.size();
+  return J;
+}
+
+}  // namespace
+
+void polish(Search& s) {
+  constexpr int steps = 6;
+  constexpr double most = 1e-3, least = 1e-9;
+  if (s.free.empty()) return;
+  Eigen::VectorXd u(static_cast<Eigen::Index>(s.free.size()));
+  for (std::size_t i = 0; i < s.free.size(); ++i)
+    u[static_cast<Eigen::Index>(i)] = free_variable(s.unknown(i).range, s.values[s.free[i]]);
+  bool last = false;
+  for (int i = 0; i < steps && !last; ++i) {
+    const Eigen::VectorXd rows = residuals_at(s.problem, s.data, s.values);
+    const Eigen::VectorXd step = wide_derivatives(s, u).colPivHouseholderQr().solve(-rows);
+    if (!(step.cwiseAbs().maxCoeff() < most)) return;
+    u += step;
+    last = step.cwiseAbs().maxCoeff() < least;
+    for (std::size_t k = 0; k < s.free.size(); ++k)
+      s.values[s.free[k]] = value_of(s.unknown(k).range, u[static_cast<Eigen::Index>(k)]);
+  }
 }
 
 }  // namespace tdbd::calibration

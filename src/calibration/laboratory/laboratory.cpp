@@ -10,7 +10,10 @@
 #include "calibration/case/read_setup.hpp"
 #include "calibration/fit/problem.hpp"
 #include "calibration/laboratory/laboratory_keys.hpp"
-#include "calibration/predict/normal.hpp"
+#include "calibration/predict/prediction.hpp"
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "io/whole_file.hpp"
 #include "simulation/case/force_keys.hpp"
 
 namespace tdbd::calibration {
@@ -123,6 +126,33 @@ std::string records_csv(const std::vector<Record>& records) {
     text += fmt::format("{},{},{},{},{},{},{}\n", r.test, r.tool, r.pressure, r.speed, r.rate,
                         *r.readings[axial].value, *r.readings[turning].value);
   return text;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Throws if the file must not be written: it is an input, or it exists and may not be overwritten.
+void require_writable_output(const fs::path& file, const LaboratoryOptions& o,
+                             const std::vector<std::string>& inputs) {
+  if (!fs::exists(file)) return;
+  for (const std::string& input : inputs)
+    if (fs::equivalent(file, input))
+      throw InputError(file.string() + ": found an input itself, expected another file to write");
+  if (o.overwrite == Overwrite::no)
+    throw FolderError(fmt::format("{}: exists; --force overwrites", file.string()));
+}
+
+}  // namespace
+
+void write_records(const LaboratoryCase& c, const LaboratoryOptions& o) {
+  const ThreadLimit limit(o.threads);
+  const fs::path file = fs::absolute(o.file).lexically_normal();
+  require_writable_output(file, o, c.setup.files);
+  const fs::path cuts = o.cuts.empty() ? file.parent_path() / "cuts" : o.cuts;
+  const CutStore store = find_cuts(c.setup, cuts, o.progress);
+  fs::create_directories(file.parent_path());
+  write_text(file, records_csv(drill(c, store)));
 }
 
 }  // namespace tdbd::calibration

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "calibration/case/calibration_case.hpp"
 #include "calibration/cuts/cut_store.hpp"
+#include "io/output_folder.hpp"
 
 namespace tdbd::calibration {
 
@@ -26,5 +29,19 @@ std::vector<Record> drill(const LaboratoryCase& c, const CutStore& cuts);
 
 /// The records in the format of read_records, SI.
 std::string records_csv(const std::vector<Record>& records);
+
+/// Options for the records of a laboratory.
+struct LaboratoryOptions {
+  std::filesystem::path file;  ///< output file, csv
+  std::filesystem::path cuts;  ///< folder of cut runs; default: `cuts` next to the records
+  Overwrite overwrite = Overwrite::no;
+  int threads = 1;                                ///< has no effect on the records
+  std::function<void(long, long)> progress = {};  ///< called with the number of computed cut runs
+                                                  ///< and the total
+};
+
+/// Computes or finds the cut runs and writes the records. Throws InputError if the file must not be
+/// written, RunError later.
+void write_records(const LaboratoryCase& c, const LaboratoryOptions& options);
 
 }  // namespace tdbd::calibration

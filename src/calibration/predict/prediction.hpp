@@ -1,12 +1,23 @@
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "calibration/fit/fit.hpp"
+#include "core/random.hpp"
 
 namespace tdbd::calibration {
+
+/// A standard normal random number by the Box-Muller method; the second number of each pair is
+/// discarded.
+inline double normal(Random& random) {
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
+  return radius * std::cos(2.0 * std::numbers::pi * random.uniform());
+}
 
 /// Relative model error of each load, beyond noise, from leave-one-bit-out fits.
 struct Discrepancy {
@@ -48,5 +59,23 @@ Discrepancy leave_one_tool_out(const CalibrationCase& c, const CutStore& cuts,
 /// cutter diameter, thickness of the cut, pressure; one text each. Empty if all are inside.
 std::vector<std::string> extrapolations(const std::vector<Sample>& fitted,
                                         const std::vector<Sample>& predicted);
+
+/// Distribution of a coefficient over replicates.
+struct BootstrapFigures {
+  double mean = 0.0, se = 0.0, low = 0.0, high = 0.0;  ///< SI; percentiles for the interval level
+};
+
+struct Bootstrap {
+  long replicates = 0, failed = 0;
+  std::vector<BootstrapFigures> coefficients;  ///< in the order of the unknowns; may be empty
+};
+
+/// Parametric bootstrap: readings are drawn around the fitted loads, and prior centres around the
+/// fitted values, with the covariance of the problem. Each replicate is fitted starting from the
+/// values of the fit. The same seed gives the same numbers.
+Bootstrap bootstrap(const Fit& fit, const Intervals& intervals);
+
+/// Draws data around these values of the coefficients.
+Data drawn_data(const Problem& problem, const Eigen::VectorXd& values, std::uint64_t seed);
 
 }  // namespace tdbd::calibration

@@ -9,8 +9,8 @@
 
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"
-#include "core/nearest_name.hpp"
 #include "core/read_file.hpp"
+#include "core/text.hpp"
 
 namespace tdbd {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/config/config.hpp"
 #include "core/config/config_document.hpp"
 #include "core/config/toml_text.hpp"
-#include "core/nearest_name.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 
 namespace tdbd {

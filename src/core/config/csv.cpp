@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "core/error.hpp"
-#include "core/nearest_name.hpp"
 #include "core/read_file.hpp"
 #include "core/text.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/nearest_name.hpp"
+#include "core/text.hpp"
 
 namespace tdbd {
 namespace {

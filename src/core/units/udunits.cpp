@@ -28,7 +28,7 @@ constexpr std::size_t memory_of_database = 8'000'000, memory_of_text = 1'000'000
 using LibraryUnit = std::unique_ptr<ut_unit, decltype(&ut_free)>;
 
 LibraryUnit parse_unit(ut_system* system, const std::string& text) {
-  demand_memory(memory_of_text);
+  require_allocatable(memory_of_text);
   return {ut_parse(system, text.c_str(), UT_ASCII), &ut_free};
 }
 
@@ -53,7 +53,7 @@ ut_system* read_database() {
 }
 
 ut_system* load_units() {
-  demand_memory(memory_of_database);
+  require_allocatable(memory_of_database);
   ut_set_error_message_handler(&ut_ignore);
   ut_system* system = read_database();
   if (system == nullptr) throw RunError("units: the database of UDUNITS-2 cannot be read");
@@ -107,11 +107,11 @@ ut_visitor powers_visitor() {
   return visitor;
 }
 
-class LibrarysUnit final : public Unit {
+class UdunitsUnit final : public Unit {
  public:
-  explicit LibrarysUnit(LibraryUnit unit) : unit_(std::move(unit)) {}
+  explicit UdunitsUnit(LibraryUnit unit) : unit_(std::move(unit)) {}
 
-  ~LibrarysUnit() override {
+  ~UdunitsUnit() override {
     const UnitsLock lock(units_mutex());
     unit_.reset();
   }
@@ -126,7 +126,7 @@ class LibrarysUnit final : public Unit {
 
   double convert(double x, const Unit& to) const override {
     const UnitsLock lock(units_mutex());
-    ut_unit* const wanted = static_cast<const LibrarysUnit&>(to).unit_.get();
+    ut_unit* const wanted = static_cast<const UdunitsUnit&>(to).unit_.get();
     const std::unique_ptr<cv_converter, decltype(&cv_free)> converter{
         ut_get_converter(unit_.get(), wanted), &cv_free};
     return cv_convert_double(converter.get(), x);
@@ -149,7 +149,7 @@ std::unique_ptr<Unit> find_in_udunits(const std::string& name) {
   const UnitsLock lock(units_mutex());
   LibraryUnit unit = parse_unit(unit_system(), name);
   if (!unit) return nullptr;
-  return std::make_unique<LibrarysUnit>(std::move(unit));
+  return std::make_unique<UdunitsUnit>(std::move(unit));
 }
 
 }  // namespace tdbd::units

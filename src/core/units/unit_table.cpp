@@ -28,7 +28,7 @@ constexpr double degree = std::numbers::pi / 180.0, turn = 2.0 * std::numbers::p
 using Exponents = std::array<int, 5>;
 constexpr std::array<const char*, 5> base_names{"m", "kg", "s", "K", "rad"};
 constexpr Exponents plain{}, of_length{1}, of_mass{0, 1}, of_time{0, 0, 1}, of_frequency{0, 0, -1},
-    of_temperature{0, 0, 0, 1}, of_angle{0, 0, 0, 0, 1}, of_speed_of_turning{0, 0, -1, 0, 1},
+    of_temperature{0, 0, 0, 1}, of_angle{0, 0, 0, 0, 1}, of_angular_speed{0, 0, -1, 0, 1},
     of_force{1, 1, -2}, of_pressure{-1, 1, -2}, of_energy{2, 1, -2}, of_power{2, 1, -3},
     of_density{-3, 1};
 
@@ -85,7 +85,7 @@ constexpr auto rows = std::to_array<Row>({
     {"arc_degree", degree, of_angle},
     {"rev", turn, of_angle},
     {"revolution", turn, of_angle},
-    {"rpm", turn / 60.0, of_speed_of_turning},
+    {"rpm", turn / 60.0, of_angular_speed},
     {"N", 1.0, of_force, Prefixes::symbols},
     {"newton", 1.0, of_force, Prefixes::words},
     {"kgf", gravity, of_force},
@@ -132,7 +132,7 @@ const Row* row_named(std::string_view name, bool with_prefix, Prefixes kind) {
 }
 
 /// Also finds the plural of words, such as "meters". Symbols have no plural.
-const Row* row_or_plural(std::string_view name, bool with_prefix, Prefixes kind) {
+const Row* find_row_or_plural(std::string_view name, bool with_prefix, Prefixes kind) {
   if (const Row* row = row_named(name, with_prefix, kind)) return row;
   if (name.size() < 4 || name.back() != 's') return nullptr;
   name.remove_suffix(1);
@@ -142,12 +142,12 @@ const Row* row_or_plural(std::string_view name, bool with_prefix, Prefixes kind)
 const Row* prefixed_row(std::string_view name, const Prefix& p, bool is_word) {
   const std::string_view start = is_word ? p.word : p.symbol;
   if (name.substr(0, start.size()) != start) return nullptr;
-  return row_or_plural(name.substr(start.size()), true,
-                       is_word ? Prefixes::words : Prefixes::symbols);
+  return find_row_or_plural(name.substr(start.size()), true,
+                            is_word ? Prefixes::words : Prefixes::symbols);
 }
 
 std::optional<Measure> named_unit(std::string_view name) {
-  if (const Row* row = row_or_plural(name, false, Prefixes::none)) return unit_of(*row, 1.0);
+  if (const Row* row = find_row_or_plural(name, false, Prefixes::none)) return unit_of(*row, 1.0);
   for (const Prefix& p : prefixes)
     for (const bool is_word : {false, true})
       if (const Row* row = prefixed_row(name, p, is_word)) return unit_of(*row, p.factor);

@@ -1,7 +1,7 @@
 #include "dynamics/drilling/chained_string.hpp"
 
-#include "dynamics/drilling/velocity.hpp"
-#include "rotation/swing_twist.hpp"
+#include "dynamics/drilling/configuration.hpp"
+#include "rotation/quaternion.hpp"
 
 namespace tdbd::dynamics {
 namespace {
@@ -15,7 +15,7 @@ string::EndMotion end_of(const DrillingSystem& s, const DrillingState& state,
   return end;
 }
 
-void take_ledger(const string::ChainLedger& chain, EnergyLedger& l) {
+void copy_chain_ledger(const string::ChainLedger& chain, EnergyLedger& l) {
   l.top = chain.top;
   l.chain_gravity = chain.gravity;
   l.chain_friction = chain.friction;
@@ -31,7 +31,7 @@ double energy_of(const string::Chain& c, const string::ChainState& chain) {
 }
 
 /// Adds the forces of the dampers of the last element to the forces on the bit.
-void push_with_dampers(const string::EndLoad& damper, const DrillingState& state,
+void add_damper_forces(const string::EndLoad& damper, const DrillingState& state,
                        DrillingWork& work) {
   work.chain_damper.force_W = -damper.pull * Vec3::UnitZ();
   work.chain_damper.torque_W = work.at.pull.arm_W.cross(work.chain_damper.force_W) +
@@ -72,20 +72,20 @@ void load_chain(const DrillingSystem& s, double h, Drilling& d, DrillingWork& wo
   end.velocity = (end.displacement - work.end_before.displacement) / h;
   end.rotary_speed = (end.angle - work.end_before.angle) / h;
   string::load_elements(s.chained->chain, end, d.chain, work.chain);
-  push_with_dampers(string::end_damper(work.chain), d.state, work);
+  add_damper_forces(string::end_damper(work.chain), d.state, work);
 }
 
 void close_chain(const DrillingSystem& s, double h, Drilling& d, DrillingWork& work) {
   if (!s.chained) return;
   string::close_step(s.chained->chain, h, work.command, d.chain, work.chain);
-  take_ledger(d.chain.ledger, d.ledger);
+  copy_chain_ledger(d.chain.ledger, d.ledger);
   work.at.chain_energy = energy_of(s.chained->chain, d.chain);
 }
 
 void start_chain_work(const DrillingSystem& s, const Drilling& d, DrillingWork& work) {
   if (!s.chained) return;
   work.chain = string::chain_work(s.chained->chain, d.chain, end_of(s, d.state, work.at));
-  push_with_dampers(string::end_damper(work.chain), d.state, work);
+  add_damper_forces(string::end_damper(work.chain), d.state, work);
   work.at.chain_energy = energy_of(s.chained->chain, d.chain);
 }
 

@@ -2,13 +2,15 @@
 
 #include <cmath>
 
-#include "dynamics/spring.hpp"
+#include "dynamics/gyrostat.hpp"
+#include "dynamics/loads.hpp"
 
 namespace tdbd::dynamics {
 namespace {
 
 /// Forces of the translational springs and, if the top is loaded, of its load (eq. 2.1).
-void pull_along(const DrillingSystem& s, const DrillingState& state, Configuration& at) {
+void apply_translational_springs(const DrillingSystem& s, const DrillingState& state,
+                                 Configuration& at) {
   at.pull.arm_W = at.R_WB * (s.string.attachment_B - s.centre_B);
   const Vec3 stretch = state.c_W + at.pull.arm_W - at.top.point_W;
   at.pull.spring_W = -(s.spring * stretch);
@@ -20,7 +22,8 @@ void pull_along(const DrillingSystem& s, const DrillingState& state, Configurati
 
 /// Torques of the rotational springs on swing and twist (eq. 2.3): minus the gradient of their
 /// energy with respect to rotations in space.
-void pull_about(const DrillingSystem& s, const DrillingState& state, Configuration& at) {
+void apply_rotational_springs(const DrillingSystem& s, const DrillingState& state,
+                              Configuration& at) {
   const RotationState& r = state.rotation;
   const Mat3& K = s.string.turn_stiffness;
   at.pull.turn_W.setZero();
@@ -36,7 +39,7 @@ void pull_about(const DrillingSystem& s, const DrillingState& state, Configurati
   at.pull.energy += 0.5 * angles.dot(moment);
 }
 
-void touch_wall(const DrillingSystem& s, const DrillingState& state, Configuration& at) {
+void find_wall_contact(const DrillingSystem& s, const DrillingState& state, Configuration& at) {
   WallContact& c = at.contact;
   c.depth = 0.0;
   if (s.wall.stiffness == 0.0) return;
@@ -68,9 +71,9 @@ void configure(const DrillingSystem& s, const DrillingState& state, Configuratio
   at.R_WB = state.rotation.q_WB.toRotationMatrix();
   at.mobility_W = at.R_WB * s.gyrostat.carrier_inverse_B * at.R_WB.transpose();
   at.top = top_position(s, state);
-  pull_along(s, state, at);
-  pull_about(s, state, at);
-  touch_wall(s, state, at);
+  apply_translational_springs(s, state, at);
+  apply_rotational_springs(s, state, at);
+  find_wall_contact(s, state, at);
   const Vec3 pulled = at.pull.spring_W + at.pull.load * Vec3::UnitZ();
   const Vec3 pushed = -mean_wall_stiffness(s.wall) * at.contact.depth * at.contact.outward_W;
   Wrench& w = at.conservative;
@@ -91,5 +94,50 @@ Pose bit_pose(const DrillingSystem& s, const DrillingState& state) {
   const Mat3 R_WB = state.rotation.q_WB.toRotationMatrix();
   return {R_WB, state.c_W - R_WB * s.centre_B};
 }
+
+void velocity(const DrillingSystem& s, const Configuration& at, const DrillingState& state,
+              DrillingVelocity& out) {
+  const RotationState& r = state.rotation;
+  out.v_W = state.momentum_W / s.mass;
+  out.w_W = at.mobility_W * (r.momentum_W - at.R_WB * cone_momentum_sum(s.gyrostat, r));
+  const Vec3 w_B = at.R_WB.transpose() * out.w_W;
+  out.cone_rates.resize(r.cone_momenta.size());
+  for (std::size_t k = 0; k < r.cone_momenta.size(); ++k)
+    out.cone_rates[k] = cone_rate<double>(s.gyrostat.cones[k], r.cone_momenta[k], w_B);
+  out.rock = s.rock.mass > 0.0 ? state.rock_momentum / s.rock.mass : 0.0;
+}
+
+DrillingVelocity velocity(const DrillingSystem& s, const DrillingState& state) {
+  Configuration at;
+  configure(s, state, at);
+  DrillingVelocity out;
+  velocity(s, at, state, out);
+  return out;
+}
+
+DrillingState make_drilling_state(const DrillingSystem& s, const Pose& X_WB,
+                                  const DrillingVelocity& v, std::span<const double> cone_angles) {
+  DrillingState state;
+  state.rotation =
+      make_state(s.gyrostat, X_WB.R, X_WB.R.transpose() * v.w_W, v.cone_rates, cone_angles);
+  state.c_W = X_WB * s.centre_B;
+  state.momentum_W = s.mass * v.v_W;
+  state.rock_momentum = s.rock.mass * v.rock;
+  return state;
+}
+
+Vec3 hanging_rest_W(const DrillingSystem& s, const DrillingState& state) {
+  const Vec3 stretch = s.spring.completeOrthogonalDecomposition().solve(weight_W(s));
+  return bit_pose(s, state) * s.string.attachment_B - stretch;
+}
+
+double power_on_bit(const Wrench& w, const DrillingVelocity& v, double cone_share) {
+  double power = w.force_W.dot(v.v_W) + w.torque_W.dot(v.w_W);
+  for (std::size_t k = 0; k < w.cones.size(); ++k)
+    power += cone_share * w.cones[k] * v.cone_rates[k];
+  return power;
+}
+
+double power_on_rock(const Wrench& w, const DrillingVelocity& v) { return w.rock_force * v.rock; }
 
 }  // namespace tdbd::dynamics

@@ -1,10 +1,52 @@
 #pragma once
 
+#include "dynamics/drilling/configuration.hpp"
+#include "dynamics/drilling/drilling_system.hpp"
 #include "dynamics/drilling/energy_ledger.hpp"
-#include "dynamics/drilling/middle_split.hpp"
-#include "dynamics/drilling/velocity.hpp"
+#include "dynamics/drilling/resisted_flow.hpp"
 
 namespace tdbd::dynamics {
+
+// Half steps of a bit that a wall resists. If the ring moves around its wall, the direction of
+// contact changes from node to node. The geometries of the node and of the middle of the drift are
+// then used for a quarter step each.
+
+/// The two halves, h/2 each, before and after the drift of a step h.
+enum class Half { opening, closing };
+
+/// Factor on the cone torques of a wrench in one half: 0, 1 or 2.
+double cone_share(ConeImpulse impulse, Half half);
+
+/// Work data of half steps, reused so that later steps allocate nothing.
+struct HalfWork {
+  FlowWork flow;
+  Eigen::VectorXd force, mean;
+  DrillingState trial, halfway;
+  DrillingVelocity mean_velocity;  ///< of trials
+};
+
+/// Inputs of a half step.
+struct HalfStep {
+  double h = 0.0;  ///< s, of the whole step
+  Half half = Half::opening;
+  const Configuration& node;  ///< its conservative forces act
+  const Configuration&
+      middle;  ///< of the drift that follows an opening half or precedes a closing one
+  const Wrench& wrench;
+  double cone_share = 1.0;  ///< scales the torques of the wrench on the cones
+};
+
+/// Flow of forces and resistances over h/2, (23). Writes the mean velocity to `mean` and the losses
+/// to `ledger`, which is null for a trial.
+void take_half_step(const DrillingSystem& system, const HalfStep& step, DrillingState& state,
+                    EnergyLedger* ledger, HalfWork& work, DrillingVelocity& mean);
+
+/// Predicts the configuration in the middle of the drift that follows an opening half from `state`.
+/// Returns the configuration of the node if the drift does not converge or the wall does not
+/// resist.
+void find_middle(const DrillingSystem& system, double h, const Configuration& node,
+                 const Wrench& wrench, const DrillingState& state, HalfWork& work,
+                 Configuration& middle);
 
 /// The complete state of a drilling bit: sufficient for a restart. Momenta and positions belong to
 /// the same time if no step is open.
@@ -29,7 +71,7 @@ struct DrillingWork {
   DrillingState predicted, step_start;
   DrillingVelocity before;
   Configuration middle;       ///< in the middle of the last drift, predicted by its opening half
-  Configuration next_middle;  ///< in the middle of the drift that velocity_after predicts
+  Configuration next_middle;  ///< in the middle of the drift that velocity_after_kicks predicts
   HalfWork half;
   // For a chained string (chained_string.hpp).
   string::ChainWork chain;
@@ -62,12 +104,13 @@ const DrillingState& predicted(const DrillingSystem& system, double h, const Dri
 
 /// The flows before the next drift. For an open step: its closing flow and the opening flow of the
 /// next step. For a state between two steps: the opening flow.
-enum class KicksLeft { closing_and_opening, opening };
+enum class RemainingKicks { closing_and_opening, opening };
 
 /// Velocity after these flows with this wrench at fixed positions, which is the velocity of the
 /// next drift. Overwrites the state returned by predicted().
-void velocity_after(const DrillingSystem& system, double h, const Drilling& d, KicksLeft kicks,
-                    const Wrench& wrench, DrillingWork& work, DrillingVelocity& out);
+void velocity_after_kicks(const DrillingSystem& system, double h, const Drilling& d,
+                          RemainingKicks kicks, const Wrench& wrench, DrillingWork& work,
+                          DrillingVelocity& out);
 
 /// Second half of a step: the flow of the new wrench, and the ledger.
 void close_step(const DrillingSystem& system, double h, const Wrench& wrench, Drilling& d,

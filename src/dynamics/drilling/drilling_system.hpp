@@ -7,7 +7,6 @@
 
 #include "dynamics/gyrostat.hpp"
 #include "dynamics/integrator.hpp"
-#include "dynamics/rotation_state.hpp"
 #include "dynamics/schedule.hpp"
 #include "string/chain.hpp"
 

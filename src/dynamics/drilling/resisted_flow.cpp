@@ -1,11 +1,8 @@
 #include "dynamics/drilling/resisted_flow.hpp"
 
-#include <cmath>
-
-#include "dynamics/drilling/columns.hpp"
-#include "dynamics/drilling/flow_functions.hpp"
+#include "dynamics/drilling/response.hpp"
 #include "dynamics/drilling/wall_secants.hpp"
-#include "dynamics/momenta.hpp"
+#include "dynamics/gyrostat.hpp"
 
 namespace tdbd::dynamics {
 namespace {

@@ -4,9 +4,8 @@
 #include <span>
 #include <string_view>
 
-#include "forces/part/coefficient.hpp"
+#include "forces/part/directions.hpp"
 #include "forces/part/part_cut.hpp"
-#include "forces/part/pressing.hpp"
 
 namespace tdbd::forces {
 
@@ -23,17 +22,17 @@ namespace tdbd::forces {
 /// the rock. Ebr + A3 is limited to +-80 degrees. A7 and A8 have an effect only on bits with cse
 /// parts, or if the law is assigned to cutter bodies by name. Thesis: app. C.1 to C.4.
 struct HansonHansen {
-  double A1 = 0.0;                       ///< 1, ratio of tangential stress to Scc at zero back rake
-  double A2 = 0.0;                       ///< 1, its growth with tan Ebr
-  double A3 = 0.0;                       ///< rad, friction angle between face and rock
-  double A4 = 0.0;                       ///< 1, ratio of the stress along the edge to Scc
-  double te = 1e-4;                      ///< m, length scale of A4: only te A4 has an effect
-  double A5 = 0.0;                       ///< 1, ratio of the contact stress of a chamfer to Scc
-  double A6 = 0.0;                       ///< 1, friction of a chamfer
-  double A7 = 0.0;                       ///< 1, contact stress of other surfaces over Scc
-  double A8 = 0.0;                       ///< 1, friction of other surfaces
-  double pressure_share = 1.0;           ///< 1
-  double slip_speed = usual_slip_speed;  ///< m/s, see slip_share
+  double A1 = 0.0;              ///< 1, ratio of tangential stress to Scc at zero back rake
+  double A2 = 0.0;              ///< 1, its growth with tan Ebr
+  double A3 = 0.0;              ///< rad, friction angle between face and rock
+  double A4 = 0.0;              ///< 1, ratio of the stress along the edge to Scc
+  double te = 1e-4;             ///< m, length scale of A4: only te A4 has an effect
+  double A5 = 0.0;              ///< 1, ratio of the contact stress of a chamfer to Scc
+  double A6 = 0.0;              ///< 1, friction of a chamfer
+  double A7 = 0.0;              ///< 1, contact stress of other surfaces over Scc
+  double A8 = 0.0;              ///< 1, friction of other surfaces
+  double pressure_share = 1.0;  ///< 1
+  double slip_speed = default_slip_speed;  ///< m/s, see slip_share
 
   static constexpr std::string_view name = "hanson-hansen";
   static constexpr bool knows(bit::PartKind kind) { return bit::belongs_to_a_cutter(kind); }

@@ -4,8 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/angles.hpp"
-#include "forces/named.hpp"
+#include "core/tolerance.hpp"
 
 namespace tdbd::forces {
 namespace {
@@ -62,8 +61,40 @@ std::span<const KnownRock> known_rocks() { return rock_table; }
 
 RockMaterial rock_named(std::string_view name) {
   const KnownRock& rock =
-      item_named("rock", name, known_rocks(), [](const KnownRock& known) { return known.name; });
+      find_by_name("rock", name, known_rocks(), [](const KnownRock& known) { return known.name; });
   return {std::string(name), rock.unconfined.value, rock.friction_angle.value};
+}
+
+Vec3 bedding_normal(double dip, double azimuth) {
+  return {-std::sin(dip) * std::cos(azimuth), -std::sin(dip) * std::sin(azimuth), std::cos(dip)};
+
+}  // namespace tdbd::forces
+
+std::size_t layer_at(const Formation& formation, const Vec3& x_W) {
+  const double depth = formation.normal_W.dot(x_W);
+  const auto deeper = std::upper_bound(formation.tops.begin(), formation.tops.end(), depth);
+  return static_cast<std::size_t>(deeper - formation.tops.begin());
+}
+
+const Strength& strength_at(const Formation& formation, const Vec3& x_W) {
+  return formation.strengths[layer_at(formation, x_W)];
+}
+
+std::string formation_problem(const Formation& f) {
+  if (f.strengths.size() != f.tops.size() + 1)
+    return fmt::format("{} rocks between {} planes, expected one rock more than planes",
+                       f.strengths.size(), f.tops.size());
+  if (std::abs(f.normal_W.norm() - 1.0) > tolerance::rotation)
+    return fmt::format("a normal of length {}, expected 1", f.normal_W.norm());
+  for (std::size_t k = 1; k < f.tops.size(); ++k)
+    if (!(f.tops[k] > f.tops[k - 1]))
+      return fmt::format("a plane at {} m after one at {} m, expected rising depths", f.tops[k],
+                         f.tops[k - 1]);
+  for (const Strength& s : f.strengths)
+    if (!(s.unconfined > 0.0) || !(s.confined > 0.0))
+      return fmt::format("a strength of {} Pa, confined {} Pa, expected > 0", s.unconfined,
+                         s.confined);
+  return {};
 }
 
 }  // namespace tdbd::forces

@@ -9,6 +9,18 @@
 
 namespace tdbd::mesh {
 
+/// Splits a mesh into pieces. Facets are taken in order, and a piece ends as soon as it is closed.
+/// Solids that touch or share points therefore stay separate if they were written one after the
+/// other. Facets that never close are grouped by the edges they share. Two points are equal if
+/// their coordinates are. Facets and points keep their order.
+std::vector<TriangleMesh> divide(const TriangleMesh& m);
+
+/// Returns the triangles of `m` with each vertex replaced by the first vertex at the same position.
+std::vector<Triangle> merge_equal_vertices(const TriangleMesh& m);
+
+/// Returns the given triangles and the vertices they use, both in their original order.
+TriangleMesh submesh(const TriangleMesh& m, const std::vector<int>& triangles);
+
 /// Returns the pairs of triangles (first < second, sorted) that meet outside their common corners
 /// and edges. A closed mesh with such pairs does not bound a solid. Uses exact predicates. Corners
 /// at the same position are common; two triangles with the same three corners are a pair; triangles

@@ -133,7 +133,7 @@ TriangleMesh read_mesh(const std::filesystem::path& path, double unit) {
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& m) {
   require_known(path);
-  WholeFile file(path);
+  AtomicFile file(path);
   const std::string extension = lower_extension(path);
   if (extension == ".ply") write_ply(file.stream(), m);
   if (extension != ".ply") write_soup(file.stream(), extension, soup_of(m));

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "io/whole_file.hpp"
-#include "mesh/check/divide.hpp"
+#include "mesh/check/self_intersections.hpp"
 #include "mesh/files/facet_file.hpp"
 #include "mesh/files/files.hpp"
 #include "mesh/measures.hpp"
@@ -89,7 +89,7 @@ TriangleMesh merged(const std::vector<Solid>& solids) {
 void write_solids(const std::filesystem::path& path, const std::vector<Solid>& solids) {
   const std::string extension = lower_extension(path);
   if (extension != ".stl" && extension != ".obj") return write_mesh(path, merged(solids));
-  WholeFile file(path);
+  AtomicFile file(path);
   int first = 0;
   for (const Solid& solid : solids) {
     if (extension == ".stl")

@@ -33,8 +33,8 @@ struct Group {
 };
 
 template <class T>
-Block as_it_lies(const std::string& name, const char* type, int components,
-                 const std::vector<T>& values) {
+Block raw_block(const std::string& name, const char* type, int components,
+                const std::vector<T>& values) {
   const std::uint64_t bytes = values.size() * sizeof(T);
   const char* data = reinterpret_cast<const char*>(values.data());
   return {name, type, components, bytes,
@@ -56,7 +56,7 @@ Block made(const std::string& name, std::size_t count, Make make) {
 }
 
 Block block_of(const Field& f) {
-  if (f.kind == FieldValues::numbers) return as_it_lies(f.name, "Float64", 1, f.values);
+  if (f.kind == FieldValues::numbers) return raw_block(f.name, "Float64", 1, f.values);
   return made(f.name, f.values.size(), [values = f.values.data()](std::size_t i) {
     return static_cast<std::int32_t>(values[i]);
   });
@@ -76,9 +76,9 @@ Group group_of(const char* element, const std::vector<Field>& fields, std::size_
 std::vector<Group> groups_of(const TriangleMesh& m, const std::vector<Field>& point_data,
                              const std::vector<Field>& cell_data) {
   const auto end_of = [](std::size_t i) { return static_cast<std::int32_t>(3 * (i + 1)); };
-  return {{"Points", {as_it_lies("Points", "Float64", 3, m.positions)}},
+  return {{"Points", {raw_block("Points", "Float64", 3, m.positions)}},
           {"Polys",
-           {as_it_lies("connectivity", "Int32", 1, m.triangles),
+           {raw_block("connectivity", "Int32", 1, m.triangles),
             made("offsets", m.triangles.size(), end_of)}},
           group_of("PointData", point_data, m.positions.size()),
           group_of("CellData", cell_data, m.triangles.size())};
@@ -113,7 +113,7 @@ std::string head_of(const TriangleMesh& m, const std::vector<Group>& groups) {
 void write_vtp(const std::filesystem::path& path, const TriangleMesh& m,
                const std::vector<Field>& point_data, const std::vector<Field>& cell_data) {
   const std::vector<Group> groups = groups_of(m, point_data, cell_data);
-  WholeFile file(path);
+  AtomicFile file(path);
   file.stream() << head_of(m, groups) << "<AppendedData encoding=\"raw\">\n_";
   for (const Group& g : groups)
     for (const Block& b : g.blocks) {
@@ -126,7 +126,7 @@ void write_vtp(const std::filesystem::path& path, const TriangleMesh& m,
 
 void write_pvd(const std::filesystem::path& path,
                const std::vector<std::pair<double, std::string>>& frames) {
-  WholeFile file(path);
+  AtomicFile file(path);
   file.stream() << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n"
                    "<Collection>\n";
   for (const auto& [time, name] : frames)

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "mesh/edit.hpp"
-#include "mesh/grade/grade_surface.hpp"
+#include "mesh/grade/grade.hpp"
 #include "mesh/measures.hpp"
-#include "mesh/search/inside.hpp"
+#include "mesh/search/triangle_tree.hpp"
 
 namespace tdbd::mesh {
 namespace {
@@ -102,7 +102,7 @@ bool keeps_shape(const GradeSurface& g, const Collapse& k) {
 /// Whether the surface stays within the deviation. Two distances are checked: that from the removed
 /// vertex to the new facets, added to how far it had moved before, and that from points of the new
 /// facets to the given mesh.
-bool keeps_place(const GradeSurface& g, Collapse& k) {
+bool stays_within_deviation(const GradeSurface& g, Collapse& k) {
   const double most = g.options.deviation + g.rounding;
   const Vec3& x = g.s.position(k.gone);
   double nearest2 = std::numeric_limits<double>::infinity();
@@ -120,20 +120,20 @@ bool keeps_place(const GradeSurface& g, Collapse& k) {
   return true;
 }
 
-bool may_go(const GradeSurface& g, int gone, int keep) {
+bool may_collapse_vertex(const GradeSurface& g, int gone, int keep) {
   const Place place = g.place[at(gone)];
   return place == Place::face || (place == Place::crease && is_feature(g, gone, keep));
 }
 
 bool try_collapse(GradeSurface& g, int gone, int keep) {
-  if (!may_go(g, gone, keep)) return false;
+  if (!may_collapse_vertex(g, gone, keep)) return false;
   const int c = corner_facing(g.s, keep, gone);
   if (c < 0 || !collapse_keeps_topology(g.s, c)) return false;
   Collapse k = prepare(g, gone, keep);
   if (g.place[at(gone)] == Place::crease &&
       (k.next_on_feature < 0 || is_feature(g, keep, k.next_on_feature)))
     return false;
-  if (!keeps_shape(g, k) || !keeps_place(g, k)) return false;
+  if (!keeps_shape(g, k) || !stays_within_deviation(g, k)) return false;
   collapse_edge(g.s, c, Vec3(g.s.position(keep)));
   g.moved[at(keep)] = k.moved;
   if (k.next_on_feature < 0) return true;

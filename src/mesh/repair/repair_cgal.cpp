@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "mesh/check/check.hpp"
-#include "mesh/check/divide.hpp"
 #include "mesh/check/self_intersections.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/repair_steps.hpp"

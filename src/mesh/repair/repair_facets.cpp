@@ -1,14 +1,18 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
 
 #include "mesh/check/check.hpp"
-#include "mesh/check/topology.hpp"
+#include "mesh/check/self_intersections.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/repair_steps.hpp"
+#include "mesh/search/triangle_tree.hpp"
 
 namespace tdbd::mesh {
 namespace {
@@ -175,6 +179,210 @@ std::size_t drop_sheets(TriangleMesh& m) {
     const std::size_t sheet = at(sheets.find(static_cast<int>(i)));
     return is_open[sheet] == 0 || stands[sheet] == 0;
   });
+}
+
+namespace {
+
+int apex(const TriangleMesh& m, const Side& s) {
+  for (const int v : m.triangles[at(s.triangle)])
+    if (v != s.lo && v != s.hi) return v;
+  return s.lo;
+}
+
+/// The facets of an edge, sorted by their angle about it, as seen from lo to hi.
+std::vector<Side> around(const TriangleMesh& m, const Side* first, const Side* last) {
+  const Vec3 e = (position(m, first->hi) - position(m, first->lo)).stableNormalized();
+  const Vec3 u =
+      (position(m, apex(m, *first)) - position(m, first->lo)).cross(e).stableNormalized().cross(-e);
+  const auto angle = [&](const Side& s) {
+    const Vec3 d = position(m, apex(m, s)) - position(m, s.lo);
+    return std::atan2(d.dot(e.cross(u)), d.dot(u));
+  };
+  std::vector<Side> order(first, last);
+  std::sort(order.begin(), order.end(), [&](const Side& a, const Side& b) {
+    return std::pair(angle(a), a.triangle) < std::pair(angle(b), b.triangle);
+  });
+  return order;
+}
+
+/// Joins the corners of two facets at both ends of their edge into the same fan.
+void join(const TriangleMesh& m, DisjointSets& fans, const Side& a, const Side& b) {
+  for (const int v : {a.lo, a.hi})
+    fans.join(corner_at(m.triangles, a.triangle, v), corner_at(m.triangles, b.triangle, v));
+}
+
+/// Pairs the facets of an edge that bound the same solid. The normal of a facet that traverses the
+/// edge from lo to hi points counter-clockwise about the edge, so the inside is before that facet,
+/// and after a facet that traverses it backwards. The majority of the facets decides between the
+/// pairs (0 1) (2 3) ... and (1 2) ... (last 0).
+void join_pairs(const TriangleMesh& m, DisjointSets& fans, const std::vector<Side>& order) {
+  std::size_t votes = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) votes += order[i].forward == (i % 2 == 1);
+  const std::size_t from = 2 * votes >= order.size() ? 0 : 1;
+  for (std::size_t i = from; i < order.size() + from; i += 2)
+    join(m, fans, order[i % order.size()], order[(i + 1) % order.size()]);
+}
+
+/// Assigns a new vertex to every fan of corners at a vertex except the first.
+std::size_t separate_fans(TriangleMesh& m, DisjointSets& fans) {
+  std::vector<int> first_fan(m.positions.size(), -1);
+  std::map<int, int> vertex_of_fan;
+  std::size_t doubled = 0;
+  for (int c = 0; c < static_cast<int>(3 * m.triangles.size()); ++c) {
+    int& v = m.triangles[at(c / 3)][at(c % 3)];
+    const int fan = fans.find(c);
+    if (const auto known = vertex_of_fan.find(fan); known != vertex_of_fan.end()) {
+      v = known->second;
+      continue;
+    }
+    if (first_fan[at(v)] >= 0) {
+      m.positions.push_back(Vec3(position(m, v)));
+      first_fan.push_back(fan);
+      v = static_cast<int>(m.positions.size()) - 1;
+      ++doubled;
+    }
+    first_fan[at(v)] = fan;
+    vertex_of_fan[fan] = v;
+  }
+  return doubled;
+}
+
+/// Orientation of facets relative to the first facet of their piece, propagated from neighbour to
+/// neighbour.
+struct Orientation {
+  std::vector<std::vector<std::pair<int, bool>>> neighbours;  ///< facet, and whether it agrees
+  std::vector<int> sign;                                      ///< -1: flipped; 0: not reached
+};
+
+/// Returns the facets of the piece of facet `seed` in the order they are reached; empty if the
+/// piece is one-sided.
+std::vector<int> reach(Orientation& t, int seed) {
+  std::vector<int> piece{seed};
+  t.sign[at(seed)] = 1;
+  for (std::size_t k = 0; k < piece.size(); ++k)
+    for (const auto& [other, agrees] : t.neighbours[at(piece[k])]) {
+      const int sign = agrees ? t.sign[at(piece[k])] : -t.sign[at(piece[k])];
+      if (t.sign[at(other)] == -sign) return {};
+      if (t.sign[at(other)] == 0) piece.push_back(other);
+      t.sign[at(other)] = sign;
+    }
+  return piece;
+}
+
+Orientation make_orientation(const TriangleMesh& m) {
+  Orientation t{std::vector<std::vector<std::pair<int, bool>>>(m.triangles.size()),
+                std::vector<int>(m.triangles.size(), 0)};
+  for_each_edge(sorted_sides(m), [&](const Side* first, const Side* last) {
+    if (last - first != 2) return;
+    const bool agrees = first[0].forward != first[1].forward;
+    t.neighbours[at(first[0].triangle)].emplace_back(first[1].triangle, agrees);
+    t.neighbours[at(first[1].triangle)].emplace_back(first[0].triangle, agrees);
+  });
+  return t;
+}
+
+/// Boundary loops in the direction of the facets that will fill them, which is opposite to the open
+/// edges.
+std::vector<std::vector<int>> loops_of(const TriangleMesh& m) {
+  std::map<int, int> next;
+  for_each_edge(sorted_sides(m), [&](const Side* first, const Side* last) {
+    if (last - first == 1)
+      next[first->forward ? first->hi : first->lo] = first->forward ? first->lo : first->hi;
+  });
+  std::vector<std::vector<int>> loops;
+  while (!next.empty()) {
+    std::vector<int>& loop = loops.emplace_back();
+    int v = next.begin()->first;
+    for (auto to = next.find(v); to != next.end(); to = next.find(v)) {
+      loop.push_back(v);
+      v = to->second;
+      next.erase(to);
+    }
+  }
+  return loops;
+}
+
+}  // namespace
+
+std::size_t split_non_manifold(TriangleMesh& m, std::string& refusal) {
+  DisjointSets fans(3 * m.triangles.size());
+  for_each_edge(sorted_sides(m), [&](const Side* first, const Side* last) {
+    if (last - first == 2) join(m, fans, first[0], first[1]);
+    if (last - first < 3) return;
+    if ((last - first) % 2 == 0)
+      join_pairs(m, fans, around(m, first, last));
+    else if (refusal.empty())
+      refusal = fmt::format(
+          "{} facets meet at an edge of triangle {} at {}: which of them bound the solid is "
+          "unknown",
+          last - first, first->triangle,
+          in_mm(0.5 * (position(m, first->lo) + position(m, first->hi))));
+  });
+  return refusal.empty() ? separate_fans(m, fans) : 0;
+}
+
+std::size_t orient_facets(TriangleMesh& m, std::string& refusal) {
+  Orientation t = make_orientation(m);
+  std::size_t turned = 0;
+  for (int seed = 0; seed < static_cast<int>(m.triangles.size()); ++seed) {
+    if (t.sign[at(seed)] != 0) continue;
+    const std::vector<int> piece = reach(t, seed);
+    if (piece.empty()) {
+      refusal = "the surface at " + place_of_triangle(m, seed) + " is one-sided";
+      return 0;
+    }
+    const auto against =
+        std::count_if(piece.begin(), piece.end(), [&](int i) { return t.sign[at(i)] < 0; });
+    const int minority = 2 * static_cast<std::size_t>(against) > piece.size() ? 1 : -1;
+    for (const int i : piece)
+      if (t.sign[at(i)] == minority) {
+        std::swap(m.triangles[at(i)][1], m.triangles[at(i)][2]);
+        ++turned;
+      }
+  }
+  return turned;
+}
+
+std::size_t orient_pieces(TriangleMesh& m) {
+  const std::vector<std::vector<int>> pieces = connected_pieces(m.triangles);
+  std::vector<TriangleMesh> meshes;
+  std::vector<TriangleTree> trees;
+  meshes.reserve(pieces.size());
+  trees.reserve(pieces.size());
+  for (const std::vector<int>& piece : pieces) {
+    meshes.push_back(submesh(m, piece));
+    trees.emplace_back(meshes.back());
+  }
+  std::size_t turned = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto [a, b, c] = corners(m, at(pieces[i].front()));
+    const Vec3 x = (a + b + c) / 3.0;
+    bool outwards = true;
+    for (std::size_t j = 0; j < pieces.size(); ++j)
+      if (j != i && trees[j].box().contains(x) && inside(trees[j], x)) outwards = !outwards;
+    if ((enclosed_volume(meshes[i]) > 0.0) == outwards) continue;
+    for (const int t : pieces[i]) std::swap(m.triangles[at(t)][1], m.triangles[at(t)][2]);
+    turned += pieces[i].size();
+  }
+  return turned;
+}
+
+std::size_t fill_holes(TriangleMesh& m, std::string& refusal) {
+  const std::vector<std::vector<int>> loops = loops_of(m);
+  for (const std::vector<int>& loop : loops) {
+    std::vector<Vec3> points;
+    points.reserve(loop.size());
+    for (const int v : loop) points.push_back(position(m, v));
+    const std::vector<Triangle> patch = triangulate_loop(points);
+    if (patch.size() + 2 != loop.size()) {
+      refusal =
+          fmt::format("the hole of {} edges at {} cannot be filled", loop.size(), in_mm(points[0]));
+      return 0;
+    }
+    for (const Triangle& t : patch)
+      m.triangles.push_back({loop[at(t[0])], loop[at(t[1])], loop[at(t[2])]});
+  }
+  return loops.size();
 }
 
 }  // namespace tdbd::mesh

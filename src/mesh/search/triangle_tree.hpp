@@ -3,7 +3,6 @@
 #include <array>
 #include <vector>
 
-#include "mesh/facet.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/triangle_mesh.hpp"
 
@@ -55,5 +54,32 @@ class TriangleTree {
   std::vector<Node> nodes_;
   std::vector<Facet> facets_;
 };
+
+/// Whether x is inside a closed mesh. Counts the crossings of a ray. If a ray passes too close to
+/// an edge, the next direction is tried, and after the last one the winding number decides, so that
+/// every position gets a result. On the surface the result is arbitrary. Twin: reference::inside.
+bool inside(const TriangleTree& closed, const Vec3& x);
+
+/// Whether the distance from x to any facet is less than `distance` (m).
+bool is_near(const TriangleTree& tree, const Vec3& x, double distance);
+
+/// Distance from x to the closest facet, m; infinite without facets.
+double distance(const TriangleTree& tree, const Vec3& x);
+
+/// The distance if it is less than `most`, otherwise `most`. Faster than distance().
+double distance_up_to(const TriangleTree& tree, const Vec3& x, double most);
+
+/// Distance of one surface from another.
+struct SurfaceDistance {
+  double largest = 0.0;  ///< m: one-sided Hausdorff distance, a lower bound that is at most the
+                         ///< spacing too small
+  double volume = 0.0;   ///< m3: integral of the distance over the surface
+};
+
+/// Computes the distance of `from` to the surface in a tree at points at most `spacing` (m) apart:
+/// at every corner, and at the centroids of equal parts of every triangle, which are the
+/// integration points. Zero for an empty `from`; `to` must not be empty. Slow, simple twin:
+/// reference::one_sided_hausdorff.
+SurfaceDistance distance_to(const TriangleMesh& from, const TriangleTree& to, double spacing);
 
 }  // namespace tdbd::mesh

@@ -6,9 +6,26 @@
 
 #include "core/tolerance.hpp"
 #include "mesh/measures.hpp"
-#include "rock/cut/spread_planes.hpp"
 
 namespace tdbd::rock {
+
+mesh::ConvexSolid spread_planes(const mesh::ConvexSolid& planes, std::size_t most) {
+  constexpr std::size_t first = 6;  // the sides of a box, if the solid has one
+  mesh::ConvexSolid chosen;
+  std::vector<double> nearest(planes.planes, -1.0);  // cosine to the nearest selected plane
+  for (std::size_t k = 0; k < std::min(most, planes.planes); ++k) {
+    const std::size_t next =
+        k < first ? k
+                  : static_cast<std::size_t>(std::ranges::min_element(nearest) - nearest.begin());
+    const Vec3 n = mesh::normal(planes, next);
+    mesh::add_plane(chosen, n, planes.b[next]);
+    for (std::size_t i = 0; i < planes.planes; ++i)
+      nearest[i] = std::max(nearest[i], n.dot(mesh::normal(planes, i)));
+  }
+  mesh::pad(chosen);
+  return chosen;
+}
+
 namespace {
 
 struct Plane {
@@ -38,22 +55,22 @@ bool has_plane(const mesh::ConvexSolid& s, const Plane& p, double size) {
   return any_plane(s, [&](const Plane& q) { return coincide(p, q, size); });
 }
 
-double size_of(const std::vector<ConvexPiece>& pieces) {
+double size_of(const std::vector<ConvexPart>& pieces) {
   mesh::Box box;
-  for (const ConvexPiece& piece : pieces)
+  for (const ConvexPart& piece : pieces)
     for (const Vec3& x : piece.mesh_P.positions) box.add(x);
   return box.size().norm();
 }
 
 /// The planes of the pieces that bound all pieces, without duplicates, moved outwards to the
 /// outermost corner.
-mesh::ConvexSolid bounding_planes(const std::vector<ConvexPiece>& pieces, double size) {
+mesh::ConvexSolid bounding_planes(const std::vector<ConvexPart>& pieces, double size) {
   mesh::ConvexSolid bounding;
-  for (const ConvexPiece& piece : pieces)
+  for (const ConvexPart& piece : pieces)
     for (std::size_t i = 0; i < piece.solid_P.planes; ++i) {
       Plane p = plane_of(piece.solid_P, i);
       double out = 0.0;
-      for (const ConvexPiece& other : pieces)
+      for (const ConvexPart& other : pieces)
         for (const Vec3& x : other.mesh_P.positions) out = std::max(out, height(p, x));
       if (out > tolerance::convex * size || has_plane(bounding, p, size)) continue;
       mesh::add_plane(bounding, p.n, p.b + out);
@@ -61,7 +78,7 @@ mesh::ConvexSolid bounding_planes(const std::vector<ConvexPiece>& pieces, double
   return bounding;
 }
 
-std::vector<Vec3> corners_on(const ConvexPiece& piece, const Plane& p, double slack) {
+std::vector<Vec3> corners_on(const ConvexPart& piece, const Plane& p, double slack) {
   std::vector<Vec3> on;
   for (const Vec3& x : piece.mesh_P.positions)
     if (std::abs(height(p, x)) <= slack) on.push_back(x);
@@ -91,7 +108,7 @@ double greatest_height(const Plane& p, const Polygon& polygon) {
 
 /// Whether the union of these pieces contains the outer side of the polygon. What lies outside the
 /// first piece must be covered by the pieces after it. `facet`: the polygon's plane.
-bool is_covered(Polygon polygon, const Plane& facet, std::span<const ConvexPiece* const> by,
+bool is_covered(Polygon polygon, const Plane& facet, std::span<const ConvexPart* const> by,
                 double size) {
   if (by.empty()) return false;
   const mesh::ConvexSolid& solid = by.front()->solid_P;
@@ -108,10 +125,10 @@ bool is_covered(Polygon polygon, const Plane& facet, std::span<const ConvexPiece
 }
 
 /// Whether other pieces cover all of a piece's surface that does not bound the union.
-bool inner_facets_are_covered(const std::vector<ConvexPiece>& pieces, const ConvexPiece& piece,
+bool inner_facets_are_covered(const std::vector<ConvexPart>& pieces, const ConvexPart& piece,
                               const mesh::ConvexSolid& bounding, double size) {
-  std::vector<const ConvexPiece*> others;
-  for (const ConvexPiece& other : pieces)
+  std::vector<const ConvexPart*> others;
+  for (const ConvexPart& other : pieces)
     if (&other != &piece) others.push_back(&other);
   const mesh::TriangleMesh& m = piece.mesh_P;
   return std::ranges::all_of(m.triangles, [&](const mesh::Triangle& t) {
@@ -125,7 +142,7 @@ bool inner_facets_are_covered(const std::vector<ConvexPiece>& pieces, const Conv
 
 /// The planes of a piece that cut the union's facet with these corners, moved outwards by `slack`.
 /// Exits often lie on the piece's edge; the slack assigns them to the piece in spite of rounding.
-mesh::ConvexSolid cuts(const ConvexPiece& piece, const std::vector<Vec3>& corners, double slack) {
+mesh::ConvexSolid cuts(const ConvexPart& piece, const std::vector<Vec3>& corners, double slack) {
   mesh::ConvexSolid within;
   for (std::size_t i = 0; i < piece.solid_P.planes; ++i) {
     const Plane p = plane_of(piece.solid_P, i);
@@ -135,14 +152,15 @@ mesh::ConvexSolid cuts(const ConvexPiece& piece, const std::vector<Vec3>& corner
   return within;
 }
 
-std::vector<Claim> claims_on(const std::vector<ConvexPiece>& pieces, const Plane& p, double size) {
+std::vector<FacetOwner> claims_on(const std::vector<ConvexPart>& pieces, const Plane& p,
+                                  double size) {
   const double slack = 2.0 * tolerance::convex * size;
   std::vector<Vec3> corners;
-  for (const ConvexPiece& piece : pieces) {
+  for (const ConvexPart& piece : pieces) {
     const std::vector<Vec3> more = corners_on(piece, p, slack);
     corners.insert(corners.end(), more.begin(), more.end());
   }
-  std::vector<Claim> claims;
+  std::vector<FacetOwner> claims;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (corners_on(pieces[i], p, slack).empty()) continue;
     claims.push_back({static_cast<int>(i), cuts(pieces[i], corners, slack)});
@@ -153,11 +171,11 @@ std::vector<Claim> claims_on(const std::vector<ConvexPiece>& pieces, const Plane
 
 }  // namespace
 
-std::optional<ConvexUnion> convex_union(const std::vector<ConvexPiece>& pieces) {
+std::optional<ConvexUnion> convex_union(const std::vector<ConvexPart>& pieces) {
   const double size = size_of(pieces);
   const mesh::ConvexSolid bounding = bounding_planes(pieces, size);
   if (bounding.planes < 4 || bounding.planes > mesh::most_planes) return std::nullopt;
-  const auto is_inside = [&](const ConvexPiece& piece) {
+  const auto is_inside = [&](const ConvexPart& piece) {
     return inner_facets_are_covered(pieces, piece, bounding, size);
   };
   if (!std::ranges::all_of(pieces, is_inside)) return std::nullopt;
@@ -167,9 +185,9 @@ std::optional<ConvexUnion> convex_union(const std::vector<ConvexPiece>& pieces) 
   return whole;
 }
 
-int owner_at(const Claims& all, std::size_t plane, const Vec3& x_P) {
-  const std::vector<Claim>& claims = all[plane];
-  const auto holds = [&](const Claim& c) {
+int owner_at(const FacetOwners& all, std::size_t plane, const Vec3& x_P) {
+  const std::vector<FacetOwner>& claims = all[plane];
+  const auto holds = [&](const FacetOwner& c) {
     return !any_plane(c.within_P, [&](const Plane& p) { return height(p, x_P) > 0.0; });
   };
   const auto owner = std::ranges::find_if(claims, holds);

@@ -3,17 +3,164 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "core/sort_unique.hpp"
-#include "rock/cut/star_volume.hpp"
+#include "mesh/search/triangle_tree.hpp"
 
 namespace tdbd::rock {
 namespace {
 
+int owner_of(const CuttingGroup& g) { return g.parts.front().part; }
+
+auto place_of(std::vector<ResidualVertex>& left, int v, int part) {
+  return std::ranges::lower_bound(left, ResidualVertex{v, part}, comes_before);
+}
+
+bool is_at(const std::vector<ResidualVertex>& left, std::vector<ResidualVertex>::const_iterator it,
+           int v, int part) {
+  return it != left.end() && it->v == v && it->part == part;
+}
+
+Vec3 left_of(const std::vector<ResidualVertex>& left, int v, int part) {
+  const auto it = std::ranges::lower_bound(left, ResidualVertex{v, part}, comes_before);
+  return is_at(left, it, v, part) ? it->left_W : Vec3(Vec3::Zero());
+}
+
+/// Whether a point is inside a part or on its surface.
+bool is_in(const CuttingPart& part, const Vec3& x_P) {
+  if (part.tree_P) return mesh::inside(*part.tree_P, x_P);
+  for (std::size_t i = 0; i < part.solid_P.planes; ++i)
+    if (mesh::normal(part.solid_P, i).dot(x_P) > part.solid_P.b[i] + part.depth) return false;
+  return true;
+}
+
+bool is_in(const CuttingGroup& g, const Vec3& x_P) {
+  return std::ranges::any_of(g.parts, [&](const CuttingPart& part) { return is_in(part, x_P); });
+}
+
+/// The parts whose passes include one of the vertices of an operation.
+void find_parts(const std::vector<ResidualVertex>& left, const InterpolatedDisplacement& c,
+                std::vector<int>& parts) {
+  parts.clear();
+  for (const int v : {c.v, c.from[0], c.from[1], c.from[2]})
+    for (auto it = std::ranges::lower_bound(left, ResidualVertex{v, -1}, comes_before);
+         it != left.end() && it->v == v; ++it)
+      if (std::ranges::find(parts, it->part) == parts.end()) parts.push_back(it->part);
+}
+
+void carry(const InterpolatedDisplacement& c, std::vector<ResidualVertex>& left,
+           std::vector<int>& parts) {
+  find_parts(left, c, parts);
+  for (const int part : parts) {
+    Vec3 mean = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+      if (c.weight[i] > 0.0) mean += c.weight[i] * left_of(left, c.from[i], part);
+    const auto it = place_of(left, c.v, part);
+    if (is_at(left, it, c.v, part))
+      it->left_W = mean;
+    else
+      left.insert(it, {c.v, part, mean});
+  }
+}
+
+void find_inside(const Rock& rock, const CuttingBit& bit, const std::vector<GroupMotion>& motions,
+                 PassScratch& w) {
+  w.group_of_part.assign(at(bit.part_count), -1);
+  for (std::size_t i = 0; i < bit.groups.size(); ++i)
+    if (bit.groups[i].leaves == Residue::share_only)
+      w.group_of_part[at(owner_of(bit.groups[i]))] = static_cast<int>(i);
+  w.is_inside.resize(rock.left.size());
+  for (std::size_t i = 0; i < rock.left.size(); ++i) {
+    const ResidualVertex& l = rock.left[i];
+    const int group = w.group_of_part[at(l.part)];
+    w.is_inside[i] =
+        group >= 0 && rock.surface.is_alive(l.v) &&
+        is_in(bit.groups[at(group)], motions[at(group)].X_PW0 * rock.surface.position(l.v));
+  }
+}
+
+/// Whether a neighbour in the same pass is inside the part.
+bool is_beside_inside(const Rock& rock, const ResidualVertex& l,
+                      const std::vector<std::uint8_t>& is_inside) {
+  if (!rock.surface.is_alive(l.v)) return false;
+  const mesh::VertexStar& star = rock.surface.star(l.v);
+  const int* ring = rock.surface.ring(star);
+  return std::any_of(ring, ring + star.size, [&](int v) {
+    const auto it = std::ranges::lower_bound(rock.left, ResidualVertex{v, l.part}, comes_before);
+    return is_at(rock.left, it, v, l.part) &&
+           is_inside[static_cast<std::size_t>(it - rock.left.begin())] != 0;
+  });
+}
+
+}  // namespace
+
+Vec3 residue_of(const Rock& rock, const CuttingGroup& g, int v) {
+  return left_of(rock.left, v, owner_of(g));
+}
+
+void record_residue(Rock& rock, const CuttingGroup& g, const CuttingPart& part, int v,
+                    const Vec3& d_W) {
+  const int owner = g.kind == GroupKind::parts ? owner_of(g) : -1;
+  for (auto it = place_of(rock.left, v, -1); it != rock.left.end() && it->v == v; ++it) {
+    if (it->part == owner) continue;
+    const Vec3 rest_W = it->left_W - d_W;
+    it->left_W = rest_W.dot(it->left_W) > 0.0 ? rest_W : Vec3(Vec3::Zero());
+  }
+  if (owner < 0 || part.share == 1.0) return;
+  const Vec3 more_W = (1.0 / part.share - 1.0) * d_W;
+  const auto it = place_of(rock.left, v, owner);
+  if (is_at(rock.left, it, v, owner))
+    it->left_W += more_W;
+  else
+    rock.left.insert(it, {v, owner, more_W});
+}
+
+void update_passes(Rock& rock, const CuttingBit& bit, const std::vector<GroupMotion>& motions,
+                   PassScratch& w) {
+  std::vector<ResidualVertex>& left = rock.left;
+  for (const InterpolatedDisplacement& c : rock.carried)
+    if (c.v >= 0) carry(c, left, w.parts);
+  if (rock.pressed.empty()) rock.carried.clear();
+  find_inside(rock, bit, motions, w);
+  w.goes_on.resize(left.size());
+  for (std::size_t i = 0; i < left.size(); ++i)
+    w.goes_on[i] = w.is_inside[i] != 0 || is_beside_inside(rock, left[i], w.is_inside);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < left.size(); ++i)
+    if (w.goes_on[i] != 0) left[kept++] = left[i];
+  left.resize(kept);
+}
+
+void reassign_residues(Rock& rock, const CuttingBit& bit) {
+  for (ResidualVertex& l : rock.left)
+    for (const CuttingGroup& g : bit.groups)
+      if (g.kind == GroupKind::parts &&
+          std::ranges::find(g.parts, l.part, &CuttingPart::part) != g.parts.end())
+        l.part = owner_of(g);
+  std::ranges::sort(rock.left, comes_before);
+}
+
+void apply_residues(Rock& rock, std::vector<Vec3>& places_W) {
+  places_W.clear();
+  for (const ResidualVertex& l : rock.left) {
+    places_W.push_back(rock.surface.position(l.v));
+    const bool is_first = places_W.size() == 1 || (&l)[-1].v != l.v;
+    if (is_first) rock.surface.place(l.v, places_W.back() + l.left_W);
+  }
+}
+
+void undo_residues(Rock& rock, const std::vector<Vec3>& places_W) {
+  for (std::size_t i = rock.left.size(); i > 0; --i)
+    rock.surface.place(rock.left[i - 1].v, places_W[i - 1]);
+}
+
+namespace {
+
 /// Moves a vertex to its exit from the part and records the part. Returns the removed volume, m3.
-double take_vertex(Rock& rock, const SweptVertex& s, const CuttingPart& part) {
+double move_swept_vertex(Rock& rock, const SweptVertex& s, const CuttingPart& part) {
   if (rock.surface.is_boundary(s.v))
     throw RunError(fmt::format(
         "{} swept the rock's boundary at ({:.3f}, {:.3f}, {:.3f}) mm: the wall is too low or "
@@ -21,8 +168,8 @@ double take_vertex(Rock& rock, const SweptVertex& s, const CuttingPart& part) {
         part.name, 1e3 * s.x_W.x(), 1e3 * s.x_W.y(), 1e3 * s.x_W.z()));
   const double volume = star_volume(rock.surface, s.v, s.x_W - rock.surface.position(s.v));
   rock.last_part[at(s.v)] = part.part;
-  note_cut(rock, s.v);
-  place_vertex(rock, s.v, s.x_W, Teller::mover);  // note_moves updates the near lists
+  record_cut(rock, s.v);
+  place_vertex(rock, s.v, s.x_W, Notify::none);  // note_moves updates the near lists
   return volume;
 }
 
@@ -33,7 +180,7 @@ void note_broken_out(std::size_t part, double volume, CutReport& report) {
 
 /// Moves the vertices that the group sweeps, part after part, in ascending order of vertex numbers,
 /// so that sums do not depend on the order of the index.
-void carry_out(Rock& rock, const CuttingGroup& g, GroupCut& cut, CutReport& report) {
+void apply_planned_moves(Rock& rock, const CuttingGroup& g, GroupCut& cut, CutReport& report) {
   for (auto s = cut.swept.begin(); s != cut.swept.end();) {
     const std::size_t which = s->which;
     double removed = 0.0;
@@ -41,8 +188,9 @@ void carry_out(Rock& rock, const CuttingGroup& g, GroupCut& cut, CutReport& repo
       const CuttingPart& part = g.parts[which];
       const Vec3 d_W = s->x_W - rock.surface.position(s->v);
       cut.moves.push_back({s->v, part.part, d_W / part.share});
-      removed += take_vertex(rock, *s, part);
-      if (g.leaves == Leaves::a_share || !rock.left.empty()) note_left(rock, g, part, s->v, d_W);
+      removed += move_swept_vertex(rock, *s, part);
+      if (g.leaves == Residue::share_only || !rock.left.empty())
+        record_residue(rock, g, part, s->v, d_W);
       cut.moved.push_back(s->v);
     }
     report.removed_by_part[at(g.parts[which].part)] += removed;
@@ -63,10 +211,10 @@ void find_in_rock(Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
     const GroupMotion& m = w.motions[at(i)];
     NearList& list = rock.near_lists[at(i)];
     GroupCut& cut = w.groups[at(i)];
-    if (g.presence == GroupPresence::away || is_out_of_reach(rock.grid, m)) return;
-    bring_up_to_date(rock.grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, w.list_margins, list);
+    if (g.presence == GroupActivity::away || is_out_of_reach(rock.grid, m)) return;
+    update_near_list(rock.grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, w.list_margins, list);
     find_candidates(g, m, rock.surface, list, gaps_around_hull * w.contact_gap, cut.near);
-    cut.knows_touching =
+    cut.touching_is_complete =
         w.contact_gap >= 0.0 && covers(list, rock.grid, widened(m.region_W, w.contact_gap));
     for (const int place : cut.near.places) cut.candidates.push_back(list.v[at(place)]);
     plan_moves(rock, g, m, cut);
@@ -74,10 +222,10 @@ void find_in_rock(Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
 }
 
 /// Keeps the candidates that a part of their own group may still sweep.
-void keep_unclear(const CuttingGroup& g, GroupCut& cut) {
+void keep_not_excluded(const CuttingGroup& g, GroupCut& cut) {
   const std::uint64_t all = (std::uint64_t{2} << (g.parts.size() - 1)) - 1;
   for (std::size_t i = 0; i < cut.candidates.size(); ++i)
-    if (cut.clear[i].now != all) cut.unclear.push_back(cut.candidates[i]);
+    if (cut.clear[i].this_pass != all) cut.not_excluded.push_back(cut.candidates[i]);
 }
 
 /// Later passes. Only a vertex that moved can have entered a part. It lies on the group that moved
@@ -85,13 +233,13 @@ void keep_unclear(const CuttingGroup& g, GroupCut& cut) {
 void find_among_moved(const Rock& rock, const CuttingBit& bit, CutWorkspace& w) {
   for (GroupCut& cut : w.groups) cut.candidates.clear();
   const auto offer = [&](const std::vector<int>& vertices, std::size_t i) {
-    if (bit.groups[i].presence == GroupPresence::away) return;
+    if (bit.groups[i].presence == GroupActivity::away) return;
     for (const int v : vertices)
       if (!keeps_outside(bit.groups[i], w.motions[i], rock.surface.position(v)))
         w.groups[i].candidates.push_back(v);
   };
   for (std::size_t k = 0; k < w.groups.size(); ++k) {
-    offer(w.groups[k].unclear, k);
+    offer(w.groups[k].not_excluded, k);
     if (w.groups[k].moved.empty()) continue;
     const mesh::Box& box_W = w.motions[k].region_W.box;
     visit_overlapping(w.motion_boxes, box_W, [&](std::size_t i) {
@@ -111,7 +259,7 @@ void begin_step(const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1, Cut
   for (GroupCut& cut : w.groups) {
     cut.near.places.clear();
     cut.near.touching.clear();
-    cut.knows_touching = false;
+    cut.touching_is_complete = false;
     cut.candidates.clear();
     cut.swept.clear();
     cut.moved_in_step.clear();
@@ -144,17 +292,17 @@ bool process_all(Rock& rock, const CuttingBit& bit, Pass pass, CutWorkspace& w, 
   for (std::size_t i = 0; i < bit.groups.size(); ++i) {
     GroupCut& cut = w.groups[i];
     cut.moved.clear();
-    cut.unclear.clear();
+    cut.not_excluded.clear();
     prefetch(rock, w, i + 1);
     if (cut.candidates.empty()) continue;
     report.candidates += static_cast<long>(cut.candidates.size());
     if (pass == Pass::first)
-      plan_again(
+      replan_moved(
           rock, bit.groups[i], w.motions[i], [&](int v) { return is_moved_now(rock, v); }, cut);
     else
       plan_moves(rock, bit.groups[i], w.motions[i], cut);
-    carry_out(rock, bit.groups[i], cut, report);
-    keep_unclear(bit.groups[i], cut);
+    apply_planned_moves(rock, bit.groups[i], cut, report);
+    keep_not_excluded(bit.groups[i], cut);
     any = any || !cut.moved.empty();
   }
   return any;
@@ -227,7 +375,7 @@ void begin_at_rest(const CuttingBit& bit, const Pose& X_WB, CutWorkspace& work) 
 void cut_rock(Rock& rock, const CuttingBit& bit, const Pose& X_WB0, const Pose& X_WB1,
               CutWorkspace& work, CutReport& report) {
   begin_step(bit, X_WB0, X_WB1, work, report);
-  if (!rock.left.empty()) begin_passes(rock, bit, work.motions, work.passes);
+  if (!rock.left.empty()) update_passes(rock, bit, work.motions, work.passes);
   ++rock.cuts;
   rock.near_lists.resize(bit.groups.size());
   find_in_rock(rock, bit, work);

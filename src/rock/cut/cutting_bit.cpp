@@ -1,12 +1,12 @@
 #include "rock/cut/cutting_bit.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
-#include "bit/cone/part_pose.hpp"
+#include "bit/cone/cone_bit.hpp"
 #include "core/tolerance.hpp"
-#include "rock/cut/near_planes.hpp"
-#include "rock/cut/spread_planes.hpp"
+#include "rock/cut/plane_strip.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -39,7 +39,7 @@ bool same_planes(const mesh::ConvexSolid& a, const mesh::ConvexSolid& b) {
   return a.nx == b.nx && a.ny == b.ny && a.nz == b.nz && a.b == b.b;
 }
 
-/// Limit on a group's solids: each has a bit in a 64-bit mask (Clear).
+/// Limit on a group's solids: each has a bit in a 64-bit mask (Excluded).
 constexpr std::size_t most_solids = 63;
 
 bool same_group(const bit::Bit& bit, const CuttingGroup& group, const bit::Part& part) {
@@ -60,8 +60,8 @@ std::shared_ptr<const PlaneSectors> sectors_of(const CuttingPart& solid, double 
 }
 
 /// Returns the group as one solid if it has several parts and they fill a convex solid.
-std::optional<CuttingWhole> whole_of(const CuttingGroup& g, const bit::Bit& bit) {
-  std::vector<ConvexPiece> pieces;
+std::optional<CuttingUnion> whole_of(const CuttingGroup& g, const bit::Bit& bit) {
+  std::vector<ConvexPart> pieces;
   for (const CuttingPart& part : g.parts) {
     const bit::Part& source = bit.parts[at(part.part)];
     if (part.tree_P || !source.pieces_P.empty()) return std::nullopt;
@@ -69,7 +69,7 @@ std::optional<CuttingWhole> whole_of(const CuttingGroup& g, const bit::Bit& bit)
   }
   auto shape = pieces.size() > 1 ? convex_union(pieces) : std::nullopt;
   if (!shape) return std::nullopt;
-  CuttingWhole whole{g.parts.front(), std::move(shape->claims)};
+  CuttingUnion whole{g.parts.front(), std::move(shape->claims)};
   whole.solid.solid_P = std::move(shape->solid_P);
   whole.solid.checksum = checksum(whole.solid.solid_P);
   whole.solid.slot = g.parts.size();
@@ -155,7 +155,7 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& option
                                 part.X_BP});
     CuttingGroup& group = cutting.groups.back();
     add_part(group, part, i);
-    if (part.share < 1.0) group.leaves = Leaves::a_share;
+    if (part.share < 1.0) group.leaves = Residue::share_only;
     for (const Vec3& x_P : part.mesh_P.positions) {
       group.box_P.add(x_P);
       const Vec3 x_B = part.X_BP * x_P;
@@ -189,6 +189,59 @@ void turn_cones(CuttingBit& cutting, const bit::Bit& bit, const std::vector<doub
     group.X_BP = bit::part_pose(bit, part, from);
     group.X_BP1 = bit::part_pose(bit, part, to);
   }
+}
+
+namespace {
+
+/// Bounds of the box at both poses: axis-aligned planes, and planes normal to the box's own axes at
+/// pose 1.
+Region moving_box(const mesh::Box& box_P, const Pose& X_WP0, const Pose& X_WP1) {
+  const Vec3 middle_P = 0.5 * (box_P.lo + box_P.hi), half = 0.5 * box_P.size();
+  const Vec3 c0_W = X_WP0 * middle_P, c1_W = X_WP1 * middle_P;
+  const Vec3 half0_W = X_WP0.R.cwiseAbs() * half, half1_W = X_WP1.R.cwiseAbs() * half;
+  Region r;
+  r.box = {(c0_W - half0_W).cwiseMin(c1_W - half1_W), (c0_W + half0_W).cwiseMax(c1_W + half1_W)};
+  const Mat3 R_P1W = X_WP1.R.transpose();
+  const Vec3 half0 = (R_P1W * X_WP0.R).cwiseAbs() * half, c0 = R_P1W * c0_W, c1 = R_P1W * c1_W;
+  for (int i = 0; i < 3; ++i)
+    r.slabs[at(i)] = {X_WP1.R.col(i), std::min(c0[i] - half0[i], c1[i] - half[i]),
+                      std::max(c0[i] + half0[i], c1[i] + half[i])};
+  return r;
+}
+
+/// Upper bound of the distance from the hole's axis. The chord of a rotation is nearer to the axis
+/// than its ends by the cosine of half the angle. A tilted axis shifts a point by at most the tilt
+/// times its distance from the origin; this is counted for the part and for the rock beside it.
+double reach(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1) {
+  const double cosine = 0.5 * ((X_WB0.R.transpose() * X_WB1.R).trace() - 1.0);
+  const double half_turn = std::sqrt(std::max(0.0, 0.5 * (1.0 + cosine)));
+  double off_axis = 0.0;
+  for (const Pose* X_WB : {&X_WB0, &X_WB1}) {
+    const double tilt = (X_WB->R.col(2) - Vec3::UnitZ()).norm();
+    off_axis = std::max(off_axis, X_WB->p.head<2>().norm() + 4.0 * tilt * g.distance);
+  }
+  return half_turn > 0.5 ? g.reach / half_turn + off_axis : INFINITY;
+}
+
+Pose direction_frame(const CuttingGroup& g, const Pose& X_WB) {
+  const bool leans = X_WB.R.col(2) != Vec3::UnitZ();
+  return leans && g.directions == DirectionFrame::upright ? Pose{Mat3::Identity(), X_WB.p} : X_WB;
+}
+
+}  // namespace
+
+GroupMotion group_motion(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1) {
+  const Pose X_WP0 = X_WB0 * g.X_BP, X_WP1 = X_WB1 * g.X_BP1, X_WD1 = direction_frame(g, X_WB1);
+  const bool is_bit = X_WD1.R == X_WB1.R;
+  return {inverse(X_WP0),
+          inverse(X_WP1),
+          inverse(X_WD1),
+          X_WD1.R,
+          is_bit ? Mat3(Mat3::Identity()) : Mat3(X_WD1.R.transpose() * X_WB1.R),
+          reach(g, X_WB0, X_WB1),
+          moving_box(g.box_P, X_WP0, X_WP1),
+          X_WP0,
+          X_WP1};
 }
 
 }  // namespace tdbd::rock

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "bit/bit.hpp"
-#include "core/single.hpp"
+#include "core/simd.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/search/triangle_tree.hpp"
 #include "mesh/shape/convex.hpp"
 #include "rock/cut/convex_union.hpp"
 #include "rock/cut/facet_walk.hpp"
 #include "rock/cut/plane_sectors.hpp"
+#include "rock/index/vertex_grid.hpp"
 
 namespace tdbd::rock {
 
@@ -27,14 +28,14 @@ struct CuttingPart {
   FacetNeighbours across;                    ///< of the tree's facets; empty: no walks
   double depth = 0.0;     ///< m, smallest depth of a sweep (tolerance::swept times size)
   std::size_t slot = 0;   ///< index among the solids of the group (SweptScratch)
-  double checksum = 0.0;  ///< of solid_P (near_planes.hpp)
+  double checksum = 0.0;  ///< of solid_P (plane_strip.hpp)
   double share = 1.0;     ///< bit::Part::share
 };
 
 /// All parts of a group as one convex solid.
-struct CuttingWhole {
-  CuttingPart solid;  ///< a copy of the group's first part, with the planes of the whole
-  Claims claims;      ///< owners of those planes' facets, as indices of the group's parts
+struct CuttingUnion {
+  CuttingPart solid;   ///< a copy of the group's first part, with the planes of the whole
+  FacetOwners claims;  ///< owners of those planes' facets, as indices of the group's parts
   /// Sectors of the solid, shared by equal solids; null if it has none.
   std::shared_ptr<const PlaneSectors> sectors = nullptr;
 };
@@ -55,11 +56,11 @@ struct SingleSolid {
 enum class GroupKind { parts, breakout };
 
 /// A group that is `away` removes no rock.
-enum class GroupPresence { there, away };
+enum class GroupActivity { there, away };
 
 /// How much of the rock in its way a group leaves: nothing, or the remaining share if a part
 /// removes less than all of it (CuttingPart::share).
-enum class Leaves { nothing, a_share };
+enum class Residue { nothing, share_only };
 
 /// Parts with the same frame and update direction. The search treats them together; the moves are
 /// made part by part.
@@ -77,10 +78,10 @@ struct CuttingGroup {
   Pose X_BP1;  ///< at the end of the step (X_BP: at its start); they differ if a cone turns
   DirectionFrame directions = DirectionFrame::bit;
   /// Set if exits are computed from the whole and the union of the parts is convex.
-  std::optional<CuttingWhole> whole = std::nullopt;
+  std::optional<CuttingUnion> whole = std::nullopt;
   GroupKind kind = GroupKind::parts;
-  GroupPresence presence = GroupPresence::there;
-  Leaves leaves = Leaves::nothing;
+  GroupActivity presence = GroupActivity::there;
+  Residue leaves = Residue::nothing;
 };
 
 /// The cutting parts, in the order in which they remove rock (the bit's order).
@@ -112,5 +113,26 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& option
 /// beginning and end, rad.
 void turn_cones(CuttingBit& cutting, const bit::Bit& bit, const std::vector<double>& from,
                 const std::vector<double>& to);
+
+/// Poses of one group during a step, and derived quantities.
+struct GroupMotion {
+  Pose X_PW0, X_PW1;
+  /// Frame D of the update directions at pose 1: the bit's frame or, if directions are upright and
+  /// the bit leans, axes parallel to those of W at the bit's origin. Its rotation about z does not
+  /// matter.
+  Pose X_DW1;
+  Mat3 R_WD1, R_DB;
+  double reach_W;   ///< m, no point of the group sweeps farther from the z axis of W
+  Region region_W;  ///< bounds of the group's box at both poses, axis-aligned and oriented
+  Pose X_WP0, X_WP1;
+};
+
+/// Computes the motion of a group. Thesis: 4.1.1.
+GroupMotion group_motion(const CuttingGroup& g, const Pose& X_WB0, const Pose& X_WB1);
+
+/// Whether the whole group stays closer to the hole's axis than all rock at its heights.
+inline bool is_out_of_reach(const VertexGrid& grid, const GroupMotion& m) {
+  return grid.nearest_to_axis(m.region_W.box.lo.z(), m.region_W.box.hi.z()) > m.reach_W;
+}
 
 }  // namespace tdbd::rock

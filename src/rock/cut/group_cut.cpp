@@ -1,30 +1,61 @@
 #include "rock/cut/group_cut.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
-#include "rock/cut/left_rock.hpp"
-#include "rock/cut/mapped_direction.hpp"
+#include "rock/cut/cut_rock.hpp"
 #include "rock/cut/wide_exits.hpp"
 
 namespace tdbd::rock {
 namespace {
 
-void note_outside(Clear& clear, std::size_t part) { clear.now |= std::uint64_t{1} << part; }
+Vec3 from_segment(const bit::Segment& s, const Vec3& q) {
+  const Vec3 along = s.to - s.from, from = q - s.from;
+  const double length2 = along.squaredNorm();
+  const double share = length2 > 0.0 ? std::clamp(from.dot(along) / length2, 0.0, 1.0) : 0.0;
+  return from - share * along;
+}
 
-void note_exit(Clear& clear, std::size_t part, bool convex) {
+/// U at azimuth 0. `radial_D`: unit vector from D's axis to x.
+Vec3 normal_direction(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W,
+                      const Vec3& radial_D) {
+  const Vec3 q_P = 0.5 * (m.X_PW0 * x_W + m.X_PW1 * x_W);
+  const Vec3 n_D = m.R_DB * (g.X_BP1.R * from_segment(*g.core_P, q_P));
+  const Vec3 u(std::max(0.0, n_D.dot(radial_D)), 0.0, std::max(0.0, n_D.z()));
+  const double length = u.norm();
+  return length > 0.0 ? Vec3(u / length) : g.update_direction_B;
+}
+
+}  // namespace
+
+Vec3 mapped_direction_W(const CuttingGroup& g, const GroupMotion& m, const Vec3& x_W) {
+  const Vec3 x_D = m.X_DW1 * x_W;
+  const double rho = std::sqrt(x_D.x() * x_D.x() + x_D.y() * x_D.y());
+  const double c = rho > 0.0 ? x_D.x() / rho : 1.0, s = rho > 0.0 ? x_D.y() / rho : 0.0;
+  const Vec3 U = g.core_P ? normal_direction(g, m, x_W, Vec3(c, s, 0.0)) : g.update_direction_B;
+  return m.R_WD1 * Vec3(c * U.x() - s * U.y(), s * U.x() + c * U.y(), U.z());
+}
+
+namespace {
+
+void exclude_part(Excluded& clear, std::size_t part) {
+  clear.this_pass |= std::uint64_t{1} << part;
+}
+
+void note_exit(Excluded& clear, std::size_t part, bool convex) {
   const std::uint64_t bit = std::uint64_t{1} << part;
-  if (convex) clear.for_good |= bit;
-  clear.now = clear.for_good | bit;
+  if (convex) clear.all_passes |= bit;
+  clear.this_pass = clear.all_passes | bit;
 }
 
 /// Computes the update direction Ur and the path of every candidate at work. A move along Ur does
 /// not change the azimuth, so both are valid for all parts of the group.
 void find_paths(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, GroupCut& cut) {
-  for (const std::size_t i : cut.at_work) {
+  for (const std::size_t i : cut.candidates_to_plan) {
     Vec3 x_W = rock.surface.position(cut.candidates[i]);
-    if (g.leaves == Leaves::a_share) {
-      cut.left_W[i] = left_before(rock, g, cut.candidates[i]);
+    if (g.leaves == Residue::share_only) {
+      cut.left_W[i] = residue_of(rock, g, cut.candidates[i]);
       x_W += cut.left_W[i];
     }
     cut.directions_W[i] = mapped_direction_W(g, m, x_W);
@@ -39,7 +70,7 @@ void plan_move(const CuttingGroup& g, std::size_t which, std::size_t i, double t
   Vec3& x_W = cut.places_W[i];
   x_W += t * cut.directions_W[i];
   cut.swept.push_back({which, cut.candidates[i], x_W});
-  if (g.leaves == Leaves::nothing) return;
+  if (g.leaves == Residue::nothing) return;
   cut.left_W[i] += (1.0 - g.parts[which].share) * t * cut.directions_W[i];
   cut.swept.back().x_W -= cut.left_W[i];
 }
@@ -49,10 +80,11 @@ void plan_move(const CuttingGroup& g, std::size_t which, std::size_t i, double t
 /// plane as for the previous candidate.
 void find_swept_by(const CuttingPart& part, GroupCut& cut) {
   cut.alone.clear();
-  if (part.tree_P) return cut.alone.assign(cut.at_work.begin(), cut.at_work.end());
+  if (part.tree_P)
+    return cut.alone.assign(cut.candidates_to_plan.begin(), cut.candidates_to_plan.end());
   const mesh::ConvexSolid& solid = part.solid_P;
   std::size_t plane = 0;
-  for (const std::size_t i : cut.at_work) {
+  for (const std::size_t i : cut.candidates_to_plan) {
     const RelativePath& p = cut.paths[i];
     if (is_beside_path(solid, plane, p.q0_P, p.q1_P, part.depth)) continue;
     const std::size_t beside = plane_beside_path(solid, p.q0_P, p.q1_P, part.depth);
@@ -65,7 +97,7 @@ void find_swept_by(const CuttingPart& part, GroupCut& cut) {
 
 void plan_part(const CuttingGroup& g, std::size_t which, const GroupMotion& m, GroupCut& cut) {
   const CuttingPart& part = g.parts[which];
-  for (const std::size_t i : cut.at_work) note_outside(cut.clear[i], which);
+  for (const std::size_t i : cut.candidates_to_plan) exclude_part(cut.clear[i], which);
   find_swept_by(part, cut);
   if (cut.alone.empty()) return;
   prepare_exits(part, boxes_around(cut.paths, cut.alone), cut.exits);
@@ -80,61 +112,63 @@ void plan_part(const CuttingGroup& g, std::size_t which, const GroupMotion& m, G
 }
 
 /// Plans exits from the whole group. Afterwards every vertex is clear of all parts.
-void plan_whole(const CuttingGroup& g, GroupCut& cut) {
-  prepare_exits(g.whole->solid, boxes_around(cut.paths, cut.at_work), cut.exits);
-  for (const std::size_t i : cut.at_work) {
-    for (std::size_t which = 0; which < g.parts.size(); ++which) note_outside(cut.clear[i], which);
-    const auto x = prepared_whole_exit(*g.whole, cut.paths[i], cut.exits);
+void plan_union_exits(const CuttingGroup& g, GroupCut& cut) {
+  prepare_exits(g.whole->solid, boxes_around(cut.paths, cut.candidates_to_plan), cut.exits);
+  for (const std::size_t i : cut.candidates_to_plan) {
+    for (std::size_t which = 0; which < g.parts.size(); ++which) exclude_part(cut.clear[i], which);
+    const auto x = prepared_union_exit(*g.whole, cut.paths[i], cut.exits);
     if (!x) continue;
     plan_move(g, x->part, i, x->t, cut);
   }
 }
 
 bool can_plan_fours(const CuttingGroup& g) {
-  return g.whole && g.whole->sectors && !g.core_P && g.leaves == Leaves::nothing;
+  return g.whole && g.whole->sectors && !g.core_P && g.leaves == Residue::nothing;
 }
 
 /// Plans the candidates at work from index `begin` on, at most four.
 void plan_four(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, std::size_t begin,
                GroupCut& cut) {
-  const std::size_t count = std::min(lanes, cut.at_work.size() - begin);
+  const std::size_t count = std::min(lanes, cut.candidates_to_plan.size() - begin);
   const std::uint64_t all = (std::uint64_t{2} << (g.parts.size() - 1)) - 1;
   std::array<const Vec3*, lanes> x_W{};
   for (std::size_t l = 0; l < lanes; ++l)
-    x_W[l] = &rock.surface.position(cut.candidates[cut.at_work[begin + std::min(l, count - 1)]]);
+    x_W[l] = &rock.surface.position(
+        cut.candidates[cut.candidates_to_plan[begin + std::min(l, count - 1)]]);
   WidePaths paths;
   WideExits exits;
   find_paths(g, m, x_W, paths);
   find_exits(*g.whole->sectors, paths, g.whole->solid.depth, exits);
   for (std::size_t l = 0; l < count; ++l) {
-    const std::size_t i = cut.at_work[begin + l];
+    const std::size_t i = cut.candidates_to_plan[begin + l];
     cut.clear[i] = {all, 0};
     if ((exits.missed >> l & 1U) != 0) continue;
     if ((exits.found >> l & 1U) == 0) {
       cut.alone.push_back(i);
       continue;
     }
-    const auto x = whole_exit(*g.whole, path_of(paths, l), crossing_of(exits, l));
+    const auto x = union_exit(*g.whole, path_of(paths, l), crossing_of(exits, l));
     if (x)
       cut.swept.push_back({x->part, cut.candidates[i], *x_W[l] + x->t * lane_of(paths.u_W, l)});
   }
 }
 
-/// Equivalent to find_paths and plan_whole, four vertices at a time. Vertices that need the scalar
-/// search stay in cut.at_work.
-void plan_whole_by_fours(const Rock& rock, const CuttingGroup& g, const GroupMotion& m,
-                         GroupCut& cut) {
+/// Equivalent to find_paths and plan_union_exits, four vertices at a time. Vertices that need the scalar
+/// search stay in cut.candidates_to_plan.
+void plan_union_exits_by_fours(const Rock& rock, const CuttingGroup& g, const GroupMotion& m,
+                               GroupCut& cut) {
   cut.alone.clear();
-  for (std::size_t i = 0; i < cut.at_work.size(); i += lanes) plan_four(rock, g, m, i, cut);
-  std::swap(cut.at_work, cut.alone);
+  for (std::size_t i = 0; i < cut.candidates_to_plan.size(); i += lanes)
+    plan_four(rock, g, m, i, cut);
+  std::swap(cut.candidates_to_plan, cut.alone);
 }
 
 }  // namespace
 
-void plan_at_work(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, GroupCut& cut) {
-  if (can_plan_fours(g)) plan_whole_by_fours(rock, g, m, cut);
+void plan_candidates(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, GroupCut& cut) {
+  if (can_plan_fours(g)) plan_union_exits_by_fours(rock, g, m, cut);
   find_paths(rock, g, m, cut);
-  if (g.whole && !cut.at_work.empty()) plan_whole(g, cut);
+  if (g.whole && !cut.candidates_to_plan.empty()) plan_union_exits(g, cut);
   for (std::size_t which = 0; !g.whole && which < g.parts.size(); ++which)
     plan_part(g, which, m, cut);
   std::ranges::sort(cut.swept, {}, [](const SweptVertex& s) { return std::tuple(s.which, s.v); });
@@ -147,10 +181,10 @@ void plan_moves(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, G
   cut.directions_W.resize(n);
   cut.paths.resize(n);
   cut.places_W.resize(n);
-  if (g.leaves == Leaves::a_share) cut.left_W.resize(n);
-  cut.at_work.resize(n);
-  for (std::size_t i = 0; i < n; ++i) cut.at_work[i] = i;
-  if (n > 0) plan_at_work(rock, g, m, cut);
+  if (g.leaves == Residue::share_only) cut.left_W.resize(n);
+  cut.candidates_to_plan.resize(n);
+  for (std::size_t i = 0; i < n; ++i) cut.candidates_to_plan[i] = i;
+  if (n > 0) plan_candidates(rock, g, m, cut);
 }
 
 }  // namespace tdbd::rock

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "mesh/surface.hpp"
-#include "rock/cut/hull_sieve.hpp"
 #include "rock/cut/plane_strip.hpp"
+#include "rock/cut/sieves.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -29,7 +29,7 @@ TDBD_WIDE std::size_t separating_plane(const mesh::ConvexSolid& h, const Vec3& q
 }
 
 /// Appends the places of the pack at `from` whose bit is set to the run.
-void keep(unsigned bits, std::size_t from, Run& r) {
+void keep(unsigned bits, std::size_t from, PlaceBatch& r) {
   for (; bits != 0; bits &= bits - 1U, ++r.count) {
     const auto i = from + static_cast<std::size_t>(std::countr_zero(bits));
     for (auto* frame : {&r.start, &r.end})
@@ -44,10 +44,10 @@ unsigned filled(std::size_t i, std::size_t end) {
 }
 
 /// Removes the places that the first planes of the hull reject, which is most of them.
-void drop_outer(const Sieve& sieve, Run& r) {
+void keep_inside_first_planes(const Sieve& sieve, PlaceBatch& r) {
   const std::size_t end = std::exchange(r.count, 0);
   for (std::size_t i = 0; i < end; i += single_lanes) {
-    Sieved in;
+    SievePass in;
     sieve_pack(r, i, sieve, SingleSolid::run, in);
     keep((in.swept | in.touched) & filled(i, end), i, r);
   }
@@ -56,10 +56,10 @@ void drop_outer(const Sieve& sieve, Run& r) {
 /// Calls visit_swept(place in the list) and visit_touched for the places of the run that pass, and
 /// empties the run.
 template <class Swept, class Touched>
-void sift_run(const Sieve& sieve, Run& r, Swept& visit_swept, Touched& visit_touched) {
-  drop_outer(sieve, r);
+void flush_batch(const Sieve& sieve, PlaceBatch& r, Swept& visit_swept, Touched& visit_touched) {
+  keep_inside_first_planes(sieve, r);
   for (std::size_t i = 0; i < r.count; i += single_lanes) {
-    Sieved in;
+    SievePass in;
     sieve_pack(r, i, sieve, sieve.hull_P.planes, in);
     for (unsigned bits = in.swept & filled(i, r.count); bits != 0; bits &= bits - 1U)
       visit_swept(at(r.place[i + static_cast<std::size_t>(std::countr_zero(bits))]));
@@ -69,18 +69,19 @@ void sift_run(const Sieve& sieve, Run& r, Swept& visit_swept, Touched& visit_tou
   r.count = 0;
 }
 
-/// Applies sift_run to a whole list.
+/// Applies flush_batch to a whole list.
 template <class Swept, class Touched>
 void sift(const NearList& list, const Sieve& sieve, Swept&& visit_swept, Touched&& visit_touched) {
-  Run run;
+  PlaceBatch run;
   for (std::size_t first = 0; first * single_lanes < list.v.size(); first += single_lanes)
     for (unsigned packs = balls_near(list.balls, first, sieve); packs != 0; packs &= packs - 1U) {
       const std::size_t begin =
           single_lanes * (first + static_cast<std::size_t>(std::countr_zero(packs)));
       keep(put_into_frames(list, begin, sieve, run), run.count, run);
-      if (run.count + single_lanes > Run::most) sift_run(sieve, run, visit_swept, visit_touched);
+      if (run.count + single_lanes > PlaceBatch::most)
+        flush_batch(sieve, run, visit_swept, visit_touched);
     }
-  sift_run(sieve, run, visit_swept, visit_touched);
+  flush_batch(sieve, run, visit_swept, visit_touched);
 }
 
 void find_around_hull(const CuttingGroup& g, const GroupMotion& m, const mesh::Surface& surface,

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "rock/cut/group_motion.hpp"
-#include "rock/cut/round_sieve.hpp"
+#include "rock/cut/cutting_bit.hpp"
+#include "rock/cut/sieves.hpp"
 #include "rock/index/near_list.hpp"
 
 namespace tdbd::rock {

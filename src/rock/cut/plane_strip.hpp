@@ -2,12 +2,28 @@
 
 #include <array>
 #include <limits>
+#include <vector>
 
-#include "core/wide.hpp"
+#include "core/simd.hpp"
+#include "core/types.hpp"
+#include "mesh/measures.hpp"
 #include "mesh/shape/convex.hpp"
-#include "rock/cut/relative_path.hpp"
 
 namespace tdbd::rock {
+
+/// The path of a rock vertex relative to a moving part during one step, in the part's frame P, rock
+/// (1). At tau in [0, 1] the vertex is at (1-tau) q0 + tau q1, and its update direction is (1-tau)
+/// u0 + tau u1. Both are linear to second order in the step.
+struct RelativePath {
+  Vec3 q0_P, q1_P;  ///< m
+  Vec3 u0_P, u1_P;  ///< unit vectors
+};
+
+/// The path of a vertex at x_W with update direction u_W relative to a part with these poses.
+inline RelativePath relative_path(const Pose& X_PW0, const Pose& X_PW1, const Vec3& x_W,
+                                  const Vec3& u_W) {
+  return {X_PW0 * x_W, X_PW1 * x_W, X_PW0.R * u_W, X_PW1.R * u_W};
+}
 
 /// A plane is parallel to a ray, up to rounding, below this cosine; then it does not block the ray.
 inline constexpr double grazing_cosine = 1e-14;
@@ -86,5 +102,39 @@ Crossing leave_at(const PlaneStrip& w, double tau);
 /// enters none, and infinity if it is parallel to a plane and outside. The ray misses the solid if
 /// this t is larger than that of leave_at.
 Crossing enter_at(const PlaneStrip& w, double tau);
+
+/// Bounds of the places and of the update directions of some paths.
+struct PathBoxes {
+  mesh::Box q_P, u_P;
+};
+
+/// Bounds of the paths with these indices.
+PathBoxes boxes_around(const std::vector<RelativePath>& paths,
+                       const std::vector<std::size_t>& which);
+
+/// The planes of a convex solid that any path in some boxes can meet within a distance `t_max` (m)
+/// along its update direction. An exit from these planes within t_max is bitwise the exit from the
+/// solid (find_exit), because all other planes are farther away. The result does not depend on the
+/// boxes for which the planes were found, so they can be kept from step to step.
+struct NearPlanes {
+  mesh::ConvexSolid solid_P;
+  std::vector<std::size_t> plane;  ///< per plane: its index in the solid
+  PathBoxes hold_for;
+  double t_max = 0.0;
+  double checksum = 0.0;  ///< of the solid
+  int uses = 0;           ///< since the planes were found
+};
+
+/// A sum over the planes that distinguishes solids.
+double checksum(const mesh::ConvexSolid& solid);
+
+/// Finds the near planes of a solid. `near` is a reused buffer. `depth`: as in find_exit.
+void find_near_planes(const mesh::ConvexSolid& solid, const PathBoxes& boxes, double depth,
+                      double t_max, NearPlanes& near);
+
+/// Keeps the planes in `near` if they are valid for these boxes; otherwise finds the planes for
+/// somewhat wider boxes. `sum`: checksum of the solid.
+void update_near_planes(const mesh::ConvexSolid& solid, double sum, const PathBoxes& boxes,
+                        double depth, double t_max, NearPlanes& near);
 
 }  // namespace tdbd::rock

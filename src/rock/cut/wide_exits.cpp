@@ -2,9 +2,43 @@
 
 #include <cmath>
 
-#include "rock/cut/wide_strip.hpp"
-
 namespace tdbd::rock {
+namespace {
+
+/// See mapped_direction_W.
+TDBD_INLINE void map_direction(const CuttingGroup& g, const GroupMotion& m, const WideVec3& x_W,
+                               WideVec3& u_W) {
+  WideVec3 x_D;
+  transform(m.X_DW1, x_W, x_D);
+  Wide rho;
+  square_root(x_D.x * x_D.x + x_D.y * x_D.y, rho);
+  const WideMask is_off_axis = rho > 0.0;
+  const Wide safe = is_off_axis ? rho : Wide{} + 1.0;
+  const Wide c = is_off_axis ? x_D.x / safe : Wide{} + 1.0, s = is_off_axis ? x_D.y / safe : Wide{};
+  const Vec3& U = g.update_direction_B;
+  const WideVec3 u_D{c * U.x() - s * U.y(), s * U.x() + c * U.y(), Wide{} + U.z()};
+  rotate(m.R_WD1, u_D, u_W);
+}
+
+TDBD_WIDE void find_wide_paths(const CuttingGroup& g, const GroupMotion& m, const WideVec3& x_W,
+                               WidePaths& p) {
+  map_direction(g, m, x_W, p.u_W);
+  transform(m.X_PW0, x_W, p.q0);
+  transform(m.X_PW1, x_W, p.q1);
+  rotate(m.X_PW0.R, p.u_W, p.u0);
+  rotate(m.X_PW1.R, p.u_W, p.u1);
+}
+
+}  // namespace
+
+void find_paths(const CuttingGroup& g, const GroupMotion& m,
+                const std::array<const Vec3*, lanes>& x_W, WidePaths& paths) {
+  const WideVec3 places_W{{x_W[0]->x(), x_W[1]->x(), x_W[2]->x(), x_W[3]->x()},
+                          {x_W[0]->y(), x_W[1]->y(), x_W[2]->y(), x_W[3]->y()},
+                          {x_W[0]->z(), x_W[1]->z(), x_W[2]->z(), x_W[3]->z()}};
+  find_wide_paths(g, m, places_W, paths);
+}
+
 namespace {
 
 TDBD_INLINE void select(const WideMask& which, const WideLine& from, WideLine& to) {
@@ -21,7 +55,7 @@ TDBD_INLINE void select(const WideMask& which, const WideCrossing& from, WideCro
   select(which, from.line, to.line);
 }
 
-/// Growth with tau of the exit through the crossing's plane; see rise in swept_convex.cpp.
+/// Growth with tau of the exit through the crossing's plane; see rise in swept_part.cpp.
 TDBD_INLINE void rise(const WideCrossing& x, Wide& growth) {
   growth = -(x.line.along + x.t * x.line.twist);
 }
@@ -38,7 +72,7 @@ TDBD_INLINE void touches(const WideLine& a, const WideCrossing& x, WideMask& on)
   on = (beyond < 0.0 ? -beyond : beyond) <= corner_tolerance;
 }
 
-/// State of the search; see Search in swept_convex.cpp. In `found` lanes, `in` is the top.
+/// State of the search; see Search in swept_part.cpp. In `found` lanes, `in` is the top.
 struct WideSearch {
   WideCrossing in, out;
   Wide side;
@@ -55,7 +89,7 @@ TDBD_INLINE void distance_from_in(const WideSearch& s, const Wide& tau, Wide& di
   distance = between ? way : Wide{} + unbounded;
 }
 
-/// See meeting in swept_convex.cpp.
+/// See meeting in swept_part.cpp.
 TDBD_INLINE void meeting(const WideSearch& s, const WideLine& k, const WideLine& l, Wide& tau) {
   const Wide square = l.along * k.twist - k.along * l.twist;
   const Wide slope = k.rest * l.twist - l.rest * k.twist + l.along * k.up - k.along * l.up;
@@ -95,9 +129,9 @@ TDBD_INLINE void is_in_core(const PlaneSectors& all, const WidePaths& p, const W
 /// Deactivates the lanes in which the planes of the sector are not sufficient at x, where a ray
 /// leaves. Extends the range of t of lanes whose x must be in the wedge. Rays that leave long
 /// before t = 0 do so in the core.
-TDBD_INLINE void check_look(const PlaneSectors& all, const Sectors& sectors, const WidePaths& p,
-                            const WideStrip& w, const WideCrossing& x, const WideEntry& entry,
-                            WideSearch& s) {
+TDBD_INLINE void check_probe(const PlaneSectors& all, const Sectors& sectors, const WidePaths& p,
+                             const WideStrip& w, const WideCrossing& x, const WideEntry& entry,
+                             WideSearch& s) {
   const WideMask outside = entry.last > x.t + entry_tolerance;
   s.active &= (x.t < unbounded) & ~(entry.second > x.t + entry_tolerance);
   if (lane_bits(s.active & outside) != 0) {
@@ -125,8 +159,8 @@ TDBD_INLINE void finish(const WideMask& which, const WideCrossing& x, WideSearch
   s.active &= ~which;
 }
 
-/// The next tau and the reason for it; see Look in swept_convex.cpp.
-struct WideLook {
+/// The next tau and the reason for it; see Look in swept_part.cpp.
+struct WideProbe {
   Wide tau;
   WideMask is_end, is_middle;
 };
@@ -142,8 +176,8 @@ TDBD_INLINE void is_corner(const WideSearch& s, const WideMask& is_end, const Wi
   corner &= on_other;
 }
 
-/// See next_tau and highest in swept_convex.cpp. Finishes the lanes whose `in` is the top.
-TDBD_INLINE void choose_look(WideSearch& s, WideLook& look) {
+/// See next_tau and highest in swept_part.cpp. Finishes the lanes whose `in` is the top.
+TDBD_INLINE void choose_probe(WideSearch& s, WideProbe& look) {
   Wide top, end = s.out.tau, out_growth;
   meeting(s, s.in.line, s.out.line, top);
   if (lane_bits(s.active & s.has_entered) != 0) {
@@ -167,8 +201,8 @@ TDBD_INLINE void choose_look(WideSearch& s, WideLook& look) {
   finish(s.active & at_in & in_corner, s.in, s);
 }
 
-/// See narrow in swept_convex.cpp.
-TDBD_INLINE void narrow(const WideStrip& w, const WideLook& look, const WideCrossing& x,
+/// See narrow in swept_part.cpp.
+TDBD_INLINE void narrow(const WideStrip& w, const WideProbe& look, const WideCrossing& x,
                         const WideEntry& entry, WideSearch& s) {
   WideMask corner;
   is_corner(s, look.is_end, x, corner);
@@ -207,7 +241,7 @@ TDBD_INLINE void search(const PlaneSectors& all, const Sectors& sectors, const W
   if (lane_bits(s.active) == 0) return;
   WideEntry entry;
   leave_and_enter(w, end, s.out, entry);
-  check_look(all, sectors, p, w, s.out, entry, s);
+  check_probe(all, sectors, p, w, s.out, entry, s);
   s.side = growth > 0.0 ? Wide{} + 1.0 : Wide{} - 1.0;
   const WideMask is_inside = growth > 0.0 ? to_end : from_start;
   s.has_entered = ~is_inside & (s.out.t >= 0.0) & ~(entry.last <= s.out.t + entry_tolerance);
@@ -215,14 +249,14 @@ TDBD_INLINE void search(const PlaneSectors& all, const Sectors& sectors, const W
   fetch_line(w, entry.row, s.entered);
   rise(s.out, growth);
   finish(s.active & ~s.has_entered & ~(s.out.t < 0.0) & (s.side * growth >= 0.0), s.out, s);
-  constexpr int most_looks = 16;
-  for (int k = 0; k < most_looks && lane_bits(s.active) != 0; ++k) {
-    WideLook look;
-    choose_look(s, look);
+  constexpr int most_probes = 16;
+  for (int k = 0; k < most_probes && lane_bits(s.active) != 0; ++k) {
+    WideProbe look;
+    choose_probe(s, look);
     if (lane_bits(s.active) == 0) return;
     WideCrossing x{};
     leave_and_enter(w, look.tau, x, entry);
-    check_look(all, sectors, p, w, x, entry, s);
+    check_probe(all, sectors, p, w, x, entry, s);
     narrow(w, look, x, entry, s);
   }
 }

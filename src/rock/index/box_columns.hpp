@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/wide.hpp"
+#include "core/simd.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::rock {

@@ -1,16 +1,83 @@
 #include "rock/index/near_list.hpp"
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <cstddef>
 
-#include "core/wide.hpp"
-#include "rock/index/list_places.hpp"
-#include "rock/index/single_slabs.hpp"
+#include "rock/index/near_list_storage.hpp"
+#include "rotation/screw.hpp"
 
 namespace tdbd::rock {
+namespace {
+
+/// Half the extent along n of a box with these axes.
+double spread(const Vec3& n, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& half) {
+  return std::abs(n.dot(a)) * half.x() + std::abs(n.dot(b)) * half.y() +
+         std::abs(n.dot(c)) * half.z();
+}
+
+/// Half the extent along n of the box between orthogonal slabs.
+double spread(const Vec3& n, const std::array<Slab, 3>& slabs, const Vec3& half) {
+  return spread(n, slabs[0].n, slabs[1].n, slabs[2].n, half);
+}
+
+void add(Slab& s, double middle, double half) {
+  s.lo = std::min(s.lo, middle - half);
+  s.hi = std::max(s.hi, middle + half);
+}
+
+void add_box(const mesh::Box& box_P, const Pose& X_WP, std::array<Slab, 3>& slabs) {
+  const Vec3 centre_W = X_WP * Vec3(0.5 * (box_P.lo + box_P.hi)), half = 0.5 * box_P.size();
+  for (Slab& s : slabs)
+    add(s, s.n.dot(centre_W), spread(s.n, X_WP.R.col(0), X_WP.R.col(1), X_WP.R.col(2), half));
+}
+
+void add_region(const Region& region_W, std::array<Slab, 3>& slabs) {
+  const SlabBox m = slab_box(region_W.slabs);
+  for (Slab& s : slabs) add(s, s.n.dot(m.centre_W), spread(s.n, region_W.slabs, m.half));
+}
+
+}  // namespace
+
+double travel_in_step(const GroupStep& step) {
+  const Vec3 middle_P = 0.5 * (step.box_P.lo + step.box_P.hi);
+  return (step.X_WP1 * middle_P - step.X_WP0 * middle_P).norm();
+}
+
+bool holds(const Region& region_W, const Region& part_W) {
+  const SlabBox m = slab_box(part_W.slabs);
+  return std::ranges::all_of(region_W.slabs, [&](const Slab& s) {
+    const double at = s.n.dot(m.centre_W), half = spread(s.n, part_W.slabs, m.half);
+    return at - half >= s.lo && at + half <= s.hi;
+  });
+}
+
+Region region_ahead(const GroupStep& step, const NearListMargins& margins, int steps) {
+  constexpr double largest_turn = 0.75, sideways = 1e-2;  // rad; times the size of the box
+  const rotation::Twist twist = rotation::twist_from(step.X_WP0, step.X_WP1, 1.0);
+  const double speed = rotation::velocity_B(twist, 0.5 * (step.box_P.lo + step.box_P.hi)).norm(),
+               turn = twist.angular_B.norm();
+  double end = steps;
+  if (speed > 0.0) end += margins.ahead / speed;
+  if (turn > 0.0) end = std::min(end, largest_turn / turn);
+  const Pose middle = step.X_WP0 * rotation::carried(twist, 0.5 * end);
+  Region r;
+  for (std::size_t k = 0; k < r.slabs.size(); ++k)
+    r.slabs[k] = {middle.R.col(static_cast<int>(k)), INFINITY, -INFINITY};
+  for (const Pose& X_WP : {step.X_WP0, middle, Pose(step.X_WP0 * rotation::carried(twist, end))})
+    add_box(step.box_P, X_WP, r.slabs);
+  add_region(step.region_W, r.slabs);
+  const double half_turn =
+      0.5 * end * turn;  // between the region at the end and the axes of the slabs
+  const double margin = margins.margin * (std::cos(half_turn) + std::sin(half_turn)) +
+                        sideways * step.box_P.size().norm();
+  for (Slab& s : r.slabs) {
+    s.lo -= margin;
+    s.hi += margin;
+  }
+  r.box = box_around(r.slabs);
+  return r;
+}
+
 namespace {
 
 /// Bit l: whether a point of ball l of eight may lie between all slabs.
@@ -68,7 +135,7 @@ inline std::size_t write_some(const WideBlock& b, unsigned in, std::size_t i, Ne
 
 /// Writes the vertices of the list's chains of blocks that lie between the slabs. Returns their
 /// number.
-TDBD_WIDE std::size_t take_chains(const VertexGrid& grid, const SingleSlabs& slabs,
+TDBD_WIDE std::size_t copy_chains(const VertexGrid& grid, const SingleSlabs& slabs,
                                   const std::array<Single, 3>& origin_W, NearList& list) {
   std::size_t end = 0;
   for (int number : list.chains)
@@ -95,7 +162,7 @@ void make_anew(const VertexGrid& grid, NearList& list) {
   }
   grid.find_chains(list.region_W, list.chains);
   close(list,
-        take_chains(grid, about(Vec3::Zero(), list.region_W.slabs, single_slack(list.region_W.box)),
+        copy_chains(grid, about(Vec3::Zero(), list.region_W.slabs, single_slack(list.region_W.box)),
                     origin_W, list));
   list.changes = grid.changes();
   list.size_when_made = list.v.size();
@@ -103,7 +170,7 @@ void make_anew(const VertexGrid& grid, NearList& list) {
 
 /// Places of removed vertices are not reused. Without this limit a list would grow indefinitely if
 /// rock changes for a long time while the group stays.
-bool has_outgrown_itself(const NearList& list) {
+bool is_too_long(const NearList& list) {
   constexpr std::size_t few = 64;
   return list.v.size() > 2 * list.size_when_made + few;
 }
@@ -172,22 +239,22 @@ bool covers(const NearList& list, const VertexGrid& grid, const Region& region_W
   return list.changes == grid.changes() && holds(list.region_W, region_W);
 }
 
-void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const NearListMargins& margins,
+void update_near_list(const VertexGrid& grid, const GroupStep& step, const NearListMargins& margins,
                       NearList& list) {
   constexpr int most_steps = 14;
   const ChangeJournal& journal = grid.journal();
-  const double way = way_of(step);
-  list.way_left -= way;
-  const bool ends_too_near = margins.ahead > 0.0 && list.way_left < 0.0;
+  const double way = travel_in_step(step);
+  list.remaining_travel -= way;
+  const bool ends_too_near = margins.ahead > 0.0 && list.remaining_travel < 0.0;
   if (list.changes >= journal.first && !ends_too_near && holds(list.region_W, step.region_W) &&
-      !has_outgrown_itself(list)) {
+      !is_too_long(list)) {
     apply(journal.changes, static_cast<std::size_t>(list.changes - journal.first), list);
     list.changes = journal.end();
     return;
   }
   list.window = std::min(list.window + 1, most_steps);
   list.region_W = region_ahead(step, margins, list.window);
-  list.way_left = (list.window - 1) * way;
+  list.remaining_travel = (list.window - 1) * way;
   make_anew(grid, list);
 }
 
@@ -196,6 +263,19 @@ void note_changes(NearList& list, const VertexChanges& changes) { apply(changes,
 void add_vertices_between(const NearList& list, const Region& region_W, double slack,
                           std::vector<int>& vertices) {
   find_between(list, about(list.origin_W, region_W.slabs, slack), vertices);
+}
+
+SingleSlabs about(const Vec3& origin_W, const std::array<Slab, 3>& slabs, double slack) {
+  SingleSlabs single;
+  for (std::size_t k = 0; k < slabs.size(); ++k) {
+    const Slab& s = slabs[k];
+    single.nx[k] = static_cast<Single>(s.n.x());
+    single.ny[k] = static_cast<Single>(s.n.y());
+    single.nz[k] = static_cast<Single>(s.n.z());
+    single.lo[k] = static_cast<Single>(s.lo - slack - s.n.dot(origin_W));
+    single.hi[k] = static_cast<Single>(s.hi + slack - s.n.dot(origin_W));
+  }
+  return single;
 }
 
 }  // namespace tdbd::rock

@@ -1,13 +1,40 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <vector>
 
-#include "core/wide.hpp"
-#include "rock/index/near_region.hpp"
+#include "core/simd.hpp"
+#include "core/types.hpp"
 #include "rock/index/vertex_grid.hpp"
 
 namespace tdbd::rock {
+
+/// How far lists extend beyond the region that the steps need, for later queries. m.
+struct NearListMargins {
+  double margin = 0.0;  ///< all around the group
+  double ahead = 0.0;   ///< along the group's path
+};
+
+/// The motion of a group in a step: its box, its poses at the start and end, and the required
+/// region.
+struct GroupStep {
+  const mesh::Box& box_P;
+  const Pose &X_WP0, &X_WP1;
+  const Region& region_W;
+};
+
+/// How far the middle of the group's box moves in the step, m.
+double travel_in_step(const GroupStep& step);
+
+/// Whether the slabs of `region_W` contain everything between the slabs of `part_W`, which are
+/// orthogonal.
+bool holds(const Region& region_W, const Region& part_W);
+
+/// The region of the group for the next `steps` steps and `margins.ahead` beyond, if its motion
+/// continues as in this step. Limited to a rotation of three quarters of a radian.
+Region region_ahead(const GroupStep& step, const NearListMargins& margins, int steps);
 
 /// Balls around places, m, as columns padded to whole packs with NaN.
 struct Balls {
@@ -43,11 +70,12 @@ struct NearList {
   std::vector<Single> x, y, z;   ///< m; padded to whole packs with `nowhere`
   std::vector<int> v;            ///< each vertex at most once; no_vertex where one was removed
   Balls balls;                   ///< of the packs
-  std::vector<int> slots;        ///< hash table of places by vertex (list_places.hpp)
+  std::vector<int> slots;        ///< hash table of places by vertex (near_list_storage.hpp)
   std::vector<int> chains;
-  long changes = -1;      ///< number of the index's changes that are included
-  int window = 0;         ///< number of steps for which the region was made
-  double way_left = 0.0;  ///< m that the group may move before the region ends too close ahead
+  long changes = -1;  ///< number of the index's changes that are included
+  int window = 0;     ///< number of steps for which the region was made
+  double remaining_travel =
+      0.0;  ///< m that the group may move before the region ends too close ahead
   std::size_t size_when_made = 0;
 };
 
@@ -60,7 +88,7 @@ bool covers(const NearList& list, const VertexGrid& grid, const Region& region_W
 /// step leaves the region; the region no longer extends `margins.ahead` beyond the group; the
 /// journal does not contain all changes since the list was made; the list has grown to twice its
 /// size.
-void bring_up_to_date(const VertexGrid& grid, const GroupStep& step, const NearListMargins& margins,
+void update_near_list(const VertexGrid& grid, const GroupStep& step, const NearListMargins& margins,
                       NearList& list);
 
 inline bool is_between(const std::array<Slab, 3>& slabs, const Vec3& x_W) {
@@ -81,5 +109,39 @@ void note_changes(NearList& list, const VertexChanges& changes);
 /// list.
 void add_vertices_between(const NearList& list, const Region& region_W, double slack,
                           std::vector<int>& vertices);
+
+/// Slabs in single precision, relative to an origin.
+struct SingleSlabs {
+  std::array<Single, 3> nx{}, ny{}, nz{}, lo{}, hi{};
+};
+
+/// The slabs relative to an origin, widened by `slack` (m).
+SingleSlabs about(const Vec3& origin_W, const std::array<Slab, 3>& slabs, double slack);
+
+/// Eight places, one per lane.
+struct WidePoints {
+  WideSingle x, y, z;
+};
+
+/// Loads the places of a block of the index. Its columns are read as eight entries; the eighth is
+/// meaningless.
+inline void load(const VertexGrid::Block& block, WidePoints& p) {
+  using Block = VertexGrid::Block;
+  const char* bytes = reinterpret_cast<const char*>(&block);
+  TDBD_LOAD(p.x, bytes + offsetof(Block, x));
+  TDBD_LOAD(p.y, bytes + offsetof(Block, y));
+  TDBD_LOAD(p.z, bytes + offsetof(Block, z));
+  p.z[VertexGrid::block_size] = 0;  // a vertex number read as a subnormal would be slow
+}
+
+/// Flags the places that lie between all slabs. A place that is `nowhere` is not flagged. For loops
+/// that are TDBD_WIDE.
+inline void flag_between(const WidePoints& p, const SingleSlabs& s, WideFlags& in) {
+  in = WideFlags{} - 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const WideSingle along = s.nx[k] * p.x + s.ny[k] * p.y + s.nz[k] * p.z;
+    in &= (along >= s.lo[k]) & (along <= s.hi[k]);
+  }
+}
 
 }  // namespace tdbd::rock

@@ -1,9 +1,43 @@
 #include "rock/index/vertex_grid.hpp"
 
-#include <bit>
 #include <utility>
 
 namespace tdbd::rock {
+namespace {
+
+void note(VertexChanges& c, int v, Single x, Single y, Single z) {
+  const std::size_t i = c.v.size();
+  if (i % single_lanes == 0)
+    for (auto* column : {&c.x, &c.y, &c.z}) column->resize(i + single_lanes, nowhere);
+  c.v.push_back(v);
+  c.x[i] = x;
+  c.y[i] = y;
+  c.z[i] = z;
+}
+
+}  // namespace
+
+void note_place(VertexChanges& changes, int v, const Vec3& x_W) {
+  note(changes, v, static_cast<Single>(x_W.x()), static_cast<Single>(x_W.y()),
+       static_cast<Single>(x_W.z()));
+}
+
+void note_removal(VertexChanges& changes, int v) { note(changes, v, nowhere, nowhere, nowhere); }
+
+void clear(VertexChanges& changes) {
+  changes.v.clear();
+  for (auto* column : {&changes.x, &changes.y, &changes.z}) column->clear();
+}
+
+void skip_changes(ChangeJournal& journal, long changes) {
+  journal.first = journal.end() + changes;
+  if (!journal.changes.v.empty()) clear(journal.changes);
+}
+
+void limit_journal(ChangeJournal& journal) {
+  if (journal.changes.v.size() >= ChangeJournal::most) skip_changes(journal, 0);
+}
+
 namespace {
 
 constexpr int tile_edge = 4;
@@ -219,7 +253,7 @@ void VertexGrid::put(int v, const Vec3& x_W, int cell) {
 }
 
 void VertexGrid::insert(int v, const Vec3& x_W) {
-  keep_bounded(journal_);
+  limit_journal(journal_);
   note_place(journal_.changes, v, x_W);
   if (static_cast<std::size_t>(v) >= places_.size())
     places_.resize(static_cast<std::size_t>(v) + 1);
@@ -237,15 +271,15 @@ void VertexGrid::insert_all(const std::vector<Vec3>& positions_W, std::vector<in
   std::ranges::sort(placed);
   std::ranges::transform(placed, vertices.begin(), [](const auto& p) { return p.second; });
   places_.resize(positions_W.size());
-  pass_over(journal_, static_cast<long>(vertices.size()));
+  skip_changes(journal_, static_cast<long>(vertices.size()));
   for (const int v : vertices) {
     const Vec3& x_W = positions_W[at(v)];
     put(v, x_W, open_cell(cell_at(x_W)));
   }
 }
 
-void VertexGrid::put_again(const std::vector<Block>& old, int cell,
-                           const std::vector<int>& number) {
+void VertexGrid::reinsert_chain(const std::vector<Block>& old, int cell,
+                                const std::vector<int>& number) {
   int b = std::exchange(tiles_[at(cell / 64)].head[at(cell % 64)], -1);
   for (; b >= 0; b = old[at(b)].next) {
     const Block& block = old[at(b)];
@@ -255,7 +289,7 @@ void VertexGrid::put_again(const std::vector<Block>& old, int cell,
 }
 
 void VertexGrid::renumber(const std::vector<int>& number, int vertices, std::vector<Block>& room) {
-  pass_over(journal_, 1);
+  skip_changes(journal_, 1);
   room.reserve(blocks_.capacity());
   room.clear();
   blocks_.swap(room);
@@ -264,12 +298,12 @@ void VertexGrid::renumber(const std::vector<int>& number, int vertices, std::vec
   for (const int tile : tile_at_) {
     if (tile < 0) continue;
     for (std::uint64_t cells = tiles_[at(tile)].occupied; cells != 0; cells &= cells - 1)
-      put_again(room, 64 * tile + std::countr_zero(cells), number);
+      reinsert_chain(room, 64 * tile + std::countr_zero(cells), number);
   }
 }
 
 void VertexGrid::remove(int v) {
-  keep_bounded(journal_);
+  limit_journal(journal_);
   note_removal(journal_.changes, v);
   take_out(v);
 }
@@ -290,11 +324,11 @@ void VertexGrid::take_out(int v) {
   if (head < 0) tile.occupied &= ~bit_of(place.cell);
 }
 
-void VertexGrid::move(int v, const Vec3& x_W, Teller teller) {
-  if (teller == Teller::mover) {
-    pass_over(journal_, 1);
+void VertexGrid::move(int v, const Vec3& x_W, Notify notify) {
+  if (notify == Notify::none) {
+    skip_changes(journal_, 1);
   } else {
-    keep_bounded(journal_);
+    limit_journal(journal_);
     note_place(journal_.changes, v, x_W);
   }
   const Place place = places_[at(v)];

@@ -4,16 +4,52 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
-#include "core/pose.hpp"
-#include "core/single.hpp"
+#include "core/simd.hpp"
 #include "core/types.hpp"
 #include "mesh/measures.hpp"
-#include "rock/index/change_journal.hpp"
 
 namespace tdbd::rock {
+
+/// Coordinate of a removed vertex. No comparison with it is true.
+inline constexpr Single nowhere = std::numeric_limits<Single>::quiet_NaN();
+
+/// Changes of vertices in chronological order: the new place, or `nowhere` if the vertex was
+/// removed. The columns are padded to whole packs of eight.
+struct VertexChanges {
+  std::vector<Single> x, y, z;  ///< m
+  std::vector<int> v;
+};
+
+/// Records that vertex v was inserted at x_W or moved there.
+void note_place(VertexChanges& changes, int v, const Vec3& x_W);
+
+void note_removal(VertexChanges& changes, int v);
+
+void clear(VertexChanges& changes);
+
+/// The latest changes of an index, so that a list of some of its vertices can be updated. Its
+/// length is bounded. A list that is older than the first recorded change is rebuilt.
+struct ChangeJournal {
+  /// Rebuilding a list is faster than applying a longer journal.
+  static constexpr std::size_t most = 1024;
+
+  VertexChanges changes;
+  long first = 0;  ///< number of the first recorded change; earlier ones were discarded
+
+  /// The number of the next change: the number of changes so far.
+  long end() const { return first + static_cast<long>(changes.v.size()); }
+};
+
+/// Counts `changes` changes without recording them, and discards the recorded ones.
+void skip_changes(ChangeJournal& journal, long changes);
+
+/// Makes room for one more change. Discards all of them if there are too many.
+void limit_journal(ChangeJournal& journal);
 
 /// lo <= n . x <= hi; all of space by default.
 struct Slab {
@@ -57,7 +93,7 @@ inline double single_slack(const mesh::Box& box_W) {
 
 /// Who notifies the lists of an index (near_list.hpp) of a move: the index's journal, or the code
 /// that moved the vertex.
-enum class Teller { journal, mover };
+enum class Notify { journal, none };
 
 /// Uniform grid over the rock's vertices: the spatial index of thesis 4.1.1. Cells are grouped in
 /// tiles of 4 x 4 x 4. One 64-bit word stores which cells of a tile contain vertices, and an empty
@@ -73,7 +109,7 @@ class VertexGrid {
   void insert_all(const std::vector<Vec3>& positions_W, std::vector<int> vertices);
   void insert(int v, const Vec3& x_W);
   void remove(int v);
-  void move(int v, const Vec3& x_W, Teller teller = Teller::journal);
+  void move(int v, const Vec3& x_W, Notify notify = Notify::journal);
 
   /// The box of the grid, in whole cells, m. Vertices outside it are in border cells.
   mesh::Box box() const { return {lo_, lo_ + cell_ * Vec3(nx_, ny_, nz_)}; }
@@ -88,7 +124,7 @@ class VertexGrid {
   /// Number of insertions, removals and moves so far.
   long changes() const { return journal_.end(); }
 
-  /// The latest changes, except moves with Teller::mover.
+  /// The latest changes, except moves with Notify::none.
   const ChangeJournal& journal() const { return journal_; }
 
   /// A lower bound, m, of the distance from the z axis of W of all vertices between the heights
@@ -221,7 +257,7 @@ class VertexGrid {
   int open_cell(const Cell& c);
   int new_block(int next);
   /// Inserts the vertices of a chain of old blocks, with their new numbers, into their cell.
-  void put_again(const std::vector<Block>& old, int cell, const std::vector<int>& number);
+  void reinsert_chain(const std::vector<Block>& old, int cell, const std::vector<int>& number);
   void put(int v, const Vec3& x_W, int cell);
   /// Removes a vertex from its cell.
   void take_out(int v);

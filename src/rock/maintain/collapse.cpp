@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "mesh/edit.hpp"
-#include "rock/maintain/check_operation.hpp"
-#include "rock/maintain/star.hpp"
+#include "rock/maintain/invariants.hpp"
+#include "rock/maintain/limits.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -259,7 +259,7 @@ void collapse(Rock& rock, const CollapseVerdict& verdict, Operation what, std::v
   const Vec3 from_W = s.position(keep), edge_W = s.position(gone) - from_W;
   const double share = std::clamp(
       edge_W.dot(verdict.x_W - from_W) / std::max(edge_W.squaredNorm(), 1e-300), 0.0, 1.0);
-  note_carried(rock, {keep, {keep, gone, keep}, {1.0 - share, share, 0.0}});
+  record_carried(rock, {keep, {keep, gone, keep}, {1.0 - share, share, 0.0}});
   mesh::collapse_edge(s, c, verdict.x_W);
   rock.grid.remove(gone);
   rock.grid.move(keep, verdict.x_W);

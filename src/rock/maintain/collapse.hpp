@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "rock/maintain/verdict.hpp"
+#include "rock/maintain/limits.hpp"
 
 namespace tdbd::rock {
 

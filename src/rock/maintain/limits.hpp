@@ -1,9 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "mesh/measures.hpp"
+#include "mesh/surface.hpp"
+#include "rock/rock.hpp"
 
 namespace tdbd::rock {
 
@@ -96,5 +102,72 @@ void add(const MaintenanceReport& more, MaintenanceReport& sum);
 
 /// Names and counts of every operation ("flips") and refusal ("refused_flips_normal").
 std::vector<std::pair<std::string, long>> counts(const MaintenanceReport& report);
+
+/// @file
+/// Measures and guards of the triangles around a vertex, shared by the operations of maintenance.
+/// Thesis: 4.2 (reconstructed).
+
+/// The triangle of corner c, with the vertex of c first.
+inline mesh::Facet facet_at(const mesh::Surface& s, int c) {
+  return {s.position(s.vertex(c)), s.position(s.vertex(mesh::next_corner(c))),
+          s.position(s.vertex(mesh::previous_corner(c)))};
+}
+
+inline double quality(const mesh::Facet& f) { return mesh::triangle_quality(f.a, f.b, f.c); }
+inline Vec3 doubled_area(const mesh::Facet& f) { return (f.b - f.a).cross(f.c - f.a); }
+inline Vec3 area_vector(const mesh::Facet& f) { return mesh::area_vector(f.a, f.b, f.c); }
+
+/// The worst quality of the triangles at v.
+double worst_quality(const mesh::Surface& s, int v);
+
+/// Refuses a normal that turns by more than the limit, and a triangle that would overhang. Rock
+/// that is moved straight down is a height field; this guard keeps it one, except for upright
+/// walls. A triangle within `steepest_overhang` of upright may overhang by that much, as the facets
+/// of a round core's wall do by their shape.
+std::optional<Refusal> judge_turn(const Vec3& before, const Vec3& after,
+                                  const MaintenanceLimits& limits);
+
+/// Whether the triangles beside the edge that faces c meet at a sharp ridge or valley.
+bool is_sharp(const mesh::Surface& s, int c, const MaintenanceLimits& limits);
+
+/// Whether a sharp edge ends at v.
+bool is_on_ridge(const mesh::Surface& s, int v, const MaintenanceLimits& limits);
+
+/// Whether triangle t overhangs and is turned by more than 90 degrees against a triangle at one of
+/// its corners. Layers of rock may pass through each other there.
+bool is_turned_over(const mesh::Surface& s, const MaintenanceLimits& limits, int t);
+
+/// Upper bound, per vertex, m, of the distance by which the operations of one maintenance have
+/// moved the surface. No point of a triangle is farther from the surface before the maintenance
+/// than the largest value of its vertices (M6, rock (18)). An operation adds its own distance to
+/// the largest value around it.
+class SurfaceDrift {
+ public:
+  double of(int v) const { return at(v) < by_vertex_.size() ? by_vertex_[at(v)] : 0.0; }
+
+  /// Raises the value of v to at least `distance`.
+  void note(int v, double distance);
+
+  void clear();
+
+ private:
+  std::vector<double> by_vertex_;
+  std::vector<int> listed_;
+};
+
+/// The largest drift at v and its neighbours, m.
+double largest_drift_around(const mesh::Surface& s, int v, const SurfaceDrift& drift);
+
+/// Result of the guards on an operation. Computing it changes nothing.
+struct Verdict {
+  std::optional<Refusal> refused;  ///< the first reason; empty: accepted
+  double volume = 0.0;             ///< m3 of hole gained
+  double drift = 0.0;  ///< m, from the surface before the maintenance, after the operation
+};
+
+/// Moves v to x_W if the verdict accepts it, and counts the operation or its refusal. Returns
+/// whether v was moved. Debug builds check the surface's promises around v.
+bool move_if_accepted(Rock& rock, int v, const Vec3& x_W, Operation what, const Verdict& verdict,
+                      SurfaceDrift& drift, MaintenanceReport& report);
 
 }  // namespace tdbd::rock

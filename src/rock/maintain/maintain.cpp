@@ -3,19 +3,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "core/error.hpp"
 #include "core/sort_unique.hpp"
-#include "rock/maintain/bisect.hpp"
-#include "rock/maintain/blunt.hpp"
 #include "rock/maintain/collapse.hpp"
-#include "rock/maintain/flip.hpp"
-#include "rock/maintain/smooth.hpp"
-#include "rock/maintain/star.hpp"
+#include "rock/maintain/operations.hpp"
 #include "rock/maintain/untangle.hpp"
-#include "rock/maintain/waiting.hpp"
 
 namespace tdbd::rock {
+
+EdgeCandidate edge_facing(const mesh::Surface& s, int c, double key) {
+  const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
+  return {key, std::min(a, b), std::max(a, b)};
+}
+
+void sort_edges(std::vector<EdgeCandidate>& edges) {
+  sort_unique(
+      edges,
+      [](const EdgeCandidate& x, const EdgeCandidate& y) {
+        return std::tie(x.key, x.a, x.b) < std::tie(y.key, y.a, y.b);
+      },
+      [](const EdgeCandidate& x, const EdgeCandidate& y) { return x.a == y.a && x.b == y.b; });
+}
+
 namespace {
 
 using Work = MaintenanceWorkspace;
@@ -237,9 +248,9 @@ void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace&
               MaintenanceReport& report) {
   work.drift.clear();
   begin_notes(rock, limits, work.old_notes, work.unknown);
-  set_aside(rock, limits, work.waiting);
+  defer_vertices(rock, limits, work.waiting);
   classify_touched_triangles(rock, limits, work.touched);
-  const std::vector<int> folded = folded_places(rock, limits, work);
+  const std::vector<int> folded = find_folded_places(rock, limits, work);
   blunt_spikes(rock, limits, work, report);
   bisect_long_edges(rock, limits, work, report);
   repair(rock, limits, Where::touched, work, report);
@@ -250,7 +261,7 @@ void maintain(Rock& rock, const MaintenanceLimits& limits, MaintenanceWorkspace&
     repair(rock, limits, Where::region, work, report);
   deepen_index(rock);
   rock.grid.refresh_one_layer();
-  list_again(rock, limits, work.waiting);
+  relist_deferred(rock, limits, work.waiting);
 }
 
 }  // namespace tdbd::rock

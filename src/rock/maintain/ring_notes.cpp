@@ -1,9 +1,10 @@
 #include "rock/maintain/ring_notes.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/parallel.hpp"
-#include "rock/maintain/ring_spokes.hpp"
+#include "rock/maintain/touched_region.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -57,7 +58,7 @@ TDBD_WIDE void sift_pairs(const Areas& a, std::size_t n, unsigned& turned) {
 /// degenerate triangle leans.
 TDBD_WIDE void sift(const mesh::Surface& s, const VertexStar& star, const RingLimits& l,
                     Sifted& found) {
-  constexpr Single far_from_rounding = 2e-5F, room = 1.2F, no_size = 1e-30F;
+  constexpr Single far_from_rounding = 2e-5F, margin = 1.2F, no_size = 1e-30F;
   const std::size_t n = star.size;
   const unsigned all = (1U << n) - 1U;
   Spokes d;
@@ -77,7 +78,7 @@ TDBD_WIDE void sift(const mesh::Surface& s, const VertexStar& star, const RingLi
   ay *= per_size;
   az *= per_size;
   const WideFlags leans =
-      ~((az * az > room * l.sine2 * (ax * ax + ay * ay + az * az)) & (-az > far_from_rounding));
+      ~((az * az > margin * l.sine2 * (ax * ax + ay * ay + az * az)) & (-az > far_from_rounding));
   Areas a;
   repeat(a.x, n, ax);
   repeat(a.y, n, ay);
@@ -111,7 +112,7 @@ void discard_changed(Rock& rock) {
   }
 }
 
-/// Prefetches what look_at_ring reads for vertices farther on in the list.
+/// Prefetches what compute_ring_note reads for vertices farther on in the list.
 void prefetch(const mesh::Surface& s, const std::vector<int>& vertices, std::size_t i) {
   constexpr std::size_t farther = 16, nearer = 8;
   if (i + farther < vertices.size()) __builtin_prefetch(&s.stars[at(vertices[i + farther])]);
@@ -121,16 +122,17 @@ void prefetch(const mesh::Surface& s, const std::vector<int>& vertices, std::siz
   for (int k = 0; k < star.size; ++k) __builtin_prefetch(&s.stars[at(star.ring[at(k)])]);
 }
 
-/// Each call of look_at_ring writes only the note of its own vertex, so the calls may run in
+/// Each call of compute_ring_note writes only the note of its own vertex, so the calls may run in
 /// parallel.
-void look_at_rings(const std::vector<int>& vertices, const mesh::Surface& s, RingNotes& notes) {
+void compute_ring_notes(const std::vector<int>& vertices, const mesh::Surface& s,
+                        RingNotes& notes) {
   constexpr std::size_t per_chunk = 64;
   const std::size_t chunks = (vertices.size() + per_chunk - 1) / per_chunk;
   parallel_for(static_cast<int>(chunks), [&](int k) {
     const std::size_t first = at(k) * per_chunk, end = std::min(first + per_chunk, vertices.size());
     for (std::size_t i = first; i < end; ++i) {
       prefetch(s, vertices, i);
-      notes.of[at(vertices[i])] = look_at_ring(s, vertices[i], notes.limits);
+      notes.of[at(vertices[i])] = compute_ring_note(s, vertices[i], notes.limits);
     }
   });
 }
@@ -151,8 +153,9 @@ RingLimits ring_limits(const MaintenanceLimits& limits) {
           static_cast<Single>((1.0 + 10.0 * slack) * quality * quality)};
 }
 
-std::uint16_t look_at_ring(const mesh::Surface& s, int v, const RingLimits& limits) {
-  constexpr unsigned known = ring_unchanged | ring_known, all_lean = 0xffU << first_leaning_bit;
+std::uint16_t compute_ring_note(const mesh::Surface& s, int v, const RingLimits& limits) {
+  constexpr unsigned known = ring_unchanged | ring_note_valid,
+                     all_lean = 0xffU << first_leaning_bit;
   const VertexStar& star = s.star(v);
   if (!has_spokes(star)) return known | all_lean | ring_may_fold;
   Sifted found;
@@ -174,9 +177,83 @@ void begin_notes(Rock& rock, const MaintenanceLimits& limits, OldNotes old_notes
   unknown.resize(rock.touched_list.size());
   std::size_t found = 0;
   for (const int v : rock.touched_list)
-    if ((notes.of[at(v)] & ring_known) == 0 && rock.surface.is_alive(v)) unknown[found++] = v;
+    if ((notes.of[at(v)] & ring_note_valid) == 0 && rock.surface.is_alive(v)) unknown[found++] = v;
   unknown.resize(found);
-  look_at_rings(unknown, rock.surface, notes);
+  compute_ring_notes(unknown, rock.surface, notes);
+}
+
+namespace {
+
+using mesh::VertexStar;
+
+/// Bit i of the result: bit i or the next bit around the ring.
+unsigned with_next(unsigned bits, std::size_t size) {
+  return bits | bits >> 1U | bits << (size - 1U);
+}
+
+unsigned all_of(const VertexStar& star) { return (1U << star.size) - 1U; }
+
+/// The vertex that faces the edge (a, b) from the other side of triangle (v, a, b); -1 if there is
+/// none.
+int facing_from_outside(const mesh::Surface& s, int a, int b) {
+  const VertexStar& star = s.star(a);
+  const int* ring = s.ring(star);
+  for (int i = 0; i < star.size; ++i)
+    if (ring[i] == b) return i > 0 ? ring[i - 1] : (star.open != 0 ? -1 : ring[star.size - 1]);
+  return -1;
+}
+
+/// Whether a triangle at v lies back to back with the triangle across the edge that faces v. Tests
+/// only edges with two untouched ends.
+bool is_folded_outwards(const mesh::Surface& s, int v, const RingMarks& marks) {
+  const VertexStar& star = s.star(v);
+  unsigned edges = ~with_next(marks.touched, star.size) & all_of(star);
+  for (; edges != 0; edges &= edges - 1U) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(edges));
+    const int a = star.ring[i], b = star.ring[i + 1 < star.size ? i + 1 : 0];
+    const int o = facing_from_outside(s, a, b);
+    if (o >= 0 && are_folded(doubled_area({star.x, s.position(a), s.position(b)}),
+                             doubled_area({s.position(o), s.position(b), s.position(a)})))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+RingMarks marks_around(const Rock& rock, int v) {
+  const VertexStar& star = rock.surface.star(v);
+  RingMarks marks;
+  for (unsigned i = 0; i < star.size; ++i) {
+    const int w = star.ring[i];
+    const unsigned touched = rock.touched[at(w)] != 0 ? 1U : 0U;
+    marks.touched |= touched << i;
+    marks.before |= (w < v ? touched : 0U) << i;
+  }
+  return marks;
+}
+
+long triangles_first_at(const Rock& rock, int v) {
+  const VertexStar& star = rock.surface.star(v);
+  const int* ring = rock.surface.ring(star);
+  const auto goes_before = [&](int w) { return rock.touched[at(w)] != 0 && w < v; };
+  long count = 0;
+  bool before = goes_before(ring[star.open != 0 ? 0 : star.size - 1]);
+  for (int i = star.open != 0 ? 1 : 0; i < star.size; ++i) {
+    const bool now = goes_before(ring[i]);
+    count += before || now ? 0 : 1;
+    before = now;
+  }
+  return count;
+}
+
+long triangles_first_at(const VertexStar& star, const RingMarks& marks) {
+  return std::popcount(~with_next(marks.before, star.size) & all_of(star));
+}
+
+bool ring_is_fine(Rock& rock, int v, const RingMarks& marks) {
+  return (note_at(rock.surface, v, rock.notes) & ring_fine) != 0 &&
+         !is_folded_outwards(rock.surface, v, marks);
 }
 
 }  // namespace tdbd::rock

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "rock/maintain/fine_ring.hpp"
-#include "rock/maintain/ring_spokes.hpp"
-#include "rock/maintain/star.hpp"
+#include "rock/maintain/ring_notes.hpp"
+#include "rock/maintain/untangle.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -33,7 +32,7 @@ void classify(const mesh::Surface& s, const MaintenanceLimits& limits, int t, To
 }
 
 /// Counts the touched triangles at v and returns whether the ring of v needs no repair.
-bool is_passed_over(Rock& rock, int v, TouchedRegion& r) {
+bool can_be_skipped(Rock& rock, int v, TouchedRegion& r) {
   const mesh::VertexStar& star = rock.surface.star(v);
   if (!has_spokes(star)) {
     r.asked += triangles_first_at(rock, v);
@@ -41,7 +40,7 @@ bool is_passed_over(Rock& rock, int v, TouchedRegion& r) {
   }
   const RingMarks marks = marks_around(rock, v);
   r.asked += triangles_first_at(star, marks);
-  return r.fine_rings == FineRings::passed_over && ring_is_fine(rock, v, marks);
+  return r.fine_rings == RingSkipping::passed_over && ring_is_fine(rock, v, marks);
 }
 
 /// Marks both triangles of every pair that lies back to back. Each pair is tested once.
@@ -79,7 +78,7 @@ void classify_touched_triangles(Rock& rock, const MaintenanceLimits& limits,
   clear(region);
   for (const int v : rock.touched_list) {
     rock.touched[at(v)] = classified_mark;
-    if (!s.is_alive(v) || is_passed_over(rock, v, region)) continue;
+    if (!s.is_alive(v) || can_be_skipped(rock, v, region)) continue;
     mesh::visit_corners(s, v, [&](int c) {
       if (place_of(region, c / 3) < 0) classify(s, limits, c / 3, region);
     });
@@ -93,6 +92,56 @@ void find_changed(const Rock& rock, TouchedRegion& region) {
   region.changed.clear();
   for (const int v : rock.touched_list)
     if (rock.touched[at(v)] == touched_mark) region.changed.push_back(v);
+}
+
+namespace {
+
+bool is_folded_at(const mesh::Surface& s, const MaintenanceLimits& limits, int v) {
+  bool found = false;
+  mesh::visit_corners(s, v, [&](int c) { found = found || is_turned_over(s, limits, c / 3); });
+  return found;
+}
+
+}  // namespace
+
+bool is_due(const Rock& rock, const MaintenanceLimits& limits, int v) {
+  return wait_is_over(rock, limits, v) || is_folded_at(rock.surface, limits, v);
+}
+
+void defer_vertices(Rock& rock, const MaintenanceLimits& limits, std::vector<int>& waiting) {
+  waiting.resize(rock.touched_list.size());
+  std::size_t kept = 0, waits = 0;
+  for (const int v : rock.touched_list) {
+    const bool is_alive = rock.surface.is_alive(v);
+    if (is_alive &&
+        (wait_is_over(rock, limits, v) || is_turned_over_at(rock.surface, limits, v, rock.notes))) {
+      rock.touched_list[kept++] = v;
+      continue;
+    }
+    rock.touched[at(v)] = 0;
+    if (is_alive) waiting[waits++] = v;
+  }
+  rock.touched_list.resize(kept);
+  waiting.resize(waits);
+}
+
+void relist_deferred(Rock& rock, const MaintenanceLimits& limits, const std::vector<int>& waiting) {
+  for (const int v : rock.touched_list) rock.touched[at(v)] = 0;
+  rock.touched_list.resize(waiting.size());
+  std::size_t listed = 0;
+  for (const int v : waiting) {  // a new vertex in the slot of a deleted one does not wait
+    if (!rock.surface.is_alive(v) || wait_is_over(rock, limits, v)) continue;
+    rock.touched[at(v)] = touched_mark;  // not by touch(), because the vertex did not change
+    rock.touched_list[listed++] = v;
+  }
+  rock.touched_list.resize(listed);
+}
+
+void scale_cut_counts(Rock& rock, int parts) {
+  rock.cuts *= parts;
+  for (MovedIn& moved : rock.moved_in)
+    for (int* cut : {&moved.first, &moved.last})
+      if (*cut != MovedIn::never) *cut *= parts;
 }
 
 }  // namespace tdbd::rock

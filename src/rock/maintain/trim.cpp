@@ -42,7 +42,7 @@ void remove(Rock& rock, int t, TrimWorkspace& work) {
   const mesh::Triangle corners = rock.surface.triangles[at(t)];
   const int gone = mesh::remove_triangle(rock.surface, t);
   if (gone >= 0) rock.grid.remove(gone);
-  for (const int v : corners) forget_ring(rock, v);
+  for (const int v : corners) discard_ring_note(rock, v);
   for (const int v : corners)
     if (v != gone)
       mesh::visit_corners(rock.surface, v, [&](int c) { work.triangles.push_back(c / 3); });

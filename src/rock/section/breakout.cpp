@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "bit/cutter/cutter_frame.hpp"
-#include "rock/cut/near_planes.hpp"
+#include "bit/cutter/cutter.hpp"
+#include "rock/cut/plane_strip.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -97,7 +97,7 @@ CuttingGroup body_group(const bit::Bit& bit, int part, const FaceOutline& face,
   alone.parts.push_back(std::move(body));
   CuttingGroup g = std::move(prepare_cutting_bit(alone, options).groups.front());
   for (CuttingPart& p : g.parts) p.part = part;
-  g.presence = GroupPresence::away;
+  g.presence = GroupActivity::away;
   g.kind = GroupKind::breakout;
   reach_from(face, body_F, g);
   return g;
@@ -215,7 +215,7 @@ void place_breakout(const Breakout& b, const EngagedEnds& ends, CuttingBit& cutt
     origin_F = crack_start(b, *end);
     if (origin_F) end_crack(b, *end - origin_F->y(), g.parts.front());
   }
-  g.presence = origin_F ? GroupPresence::there : GroupPresence::away;
+  g.presence = origin_F ? GroupActivity::there : GroupActivity::away;
   if (!origin_F) return;
   g.X_BP = b.X_BF * Pose{Mat3::Identity(), Vec3(0.0, origin_F->x(), origin_F->y())};
   g.X_BP1 = g.X_BP;

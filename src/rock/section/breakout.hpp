@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "rock/cut/cutting_bit.hpp"
-#include "rock/section/engaged_ends.hpp"
-#include "rock/section/face_outline.hpp"
+#include "rock/section/column_sums.hpp"
+#include "rock/section/face_columns.hpp"
 
 namespace tdbd::rock {
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,5 +44,17 @@ void add_segment(const FaceColumns& face, std::size_t first, std::size_t end,
 /// do not depend on where chains begin. `y`, `z`: coordinates of at least two points in F, m.
 void add_inside(const FaceColumns& face, std::span<const double> y, std::span<const double> z,
                 ColumnSums& sums);
+
+/// The sides of a face, seen from the rock ahead. Left is towards -Y of frame F.
+enum class FaceSide { left, right };
+
+/// Heights (z in F, m), by FaceSide, of the highest points of the outline's lower edge that are in
+/// rock. Empty if no point on that side is in rock. If the engaged edge has gaps, its highest piece
+/// counts.
+using EngagedEnds = std::array<std::optional<double>, 2>;
+
+/// Computes the ends from the sums over a face's columns. Each piece of the edge is assumed to be
+/// engaged without a gap. Rock above the outline's widest point does not count.
+EngagedEnds engaged_ends(const FaceColumns& face, const ColumnSums& sums);
 
 }  // namespace tdbd::rock

@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "rock/cut/left_rock.hpp"
+#include "rock/cut/cut_rock.hpp"
 #include "rock/section/contact_end.hpp"
 #include "rock/section/held_vertices.hpp"
 
@@ -62,10 +62,10 @@ struct Contact {
     if (before != nullptr) {
       p.d_P = m.X_PW1.R * before->d_W;
       p.is_inside = is_lee(v, p) && is_inside(part, x_P - p.d_P);
-      if (before->hold == Hold::made)
+      if (before->hold == ContactStatus::made)
         w.pressed.push_back(*before);
       else if (p.is_inside)
-        w.pressed.push_back({v, before->d_W, Hold::left});
+        w.pressed.push_back({v, before->d_W, ContactStatus::left});
       else
         p.d_P = Vec3::Zero();
     }
@@ -235,7 +235,7 @@ PartContact sum_contact(const GroupMotion& m, const Contact& c) {
   for (const int v : c.w.held) add_around(m, c, v, sums);
   // Triangles without a held vertex.
   for (const PressedVertex& before : c.w.inherited) {
-    if (before.hold == Hold::made || !s.is_alive(before.v)) continue;
+    if (before.hold == ContactStatus::made || !s.is_alive(before.v)) continue;
     c.see(m, before.v);
     if (!c.place(before.v).is_held && c.place(before.v).is_inside) add_around(m, c, before.v, sums);
   }
@@ -248,11 +248,12 @@ PartContact sum_contact(const GroupMotion& m, const Contact& c) {
 }
 
 /// Keeps vertices that maintenance made near the group and that no part has held since.
-void keep_made(const Rock& rock, const CuttingGroup& g, const GroupMotion& m, ContactScratch& w) {
+void keep_maintenance_vertices(const Rock& rock, const CuttingGroup& g, const GroupMotion& m,
+                               ContactScratch& w) {
   constexpr double around = 0.5;  // times the group's size
   const double margin = around * g.box_P.size().norm();
   for (const PressedVertex& p : w.inherited)
-    if (p.hold == Hold::made && w.mark[at(p.v)] != w.stamp && rock.surface.is_alive(p.v) &&
+    if (p.hold == ContactStatus::made && w.mark[at(p.v)] != w.stamp && rock.surface.is_alive(p.v) &&
         is_within(g.box_P, m.X_PW1 * rock.surface.position(p.v), margin))
       w.pressed.push_back(p);
   std::ranges::sort(w.pressed, {}, &PressedVertex::v);
@@ -286,7 +287,7 @@ PartContact sum_whole_triangles(const Rock& rock, ContactScratch& w) {
 
 /// Computes the contacts of the parts of one group.
 void measure_group(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, std::size_t i,
-                   const ContactOptions& options, std::span<const CarriedDisplacement> carried,
+                   const ContactOptions& options, std::span<const InterpolatedDisplacement> carried,
                    ContactScratch& w, std::vector<PartContact>& contact_by_part) {
   const CuttingGroup& g = bit.groups[i];
   const GroupMotion& m = cut.motions[i];
@@ -309,11 +310,11 @@ void measure_group(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut, s
       rock.pressed[at(part)].clear();
       continue;
     }
-    take_held(rock, m, cut.groups[i], part, carried, w);
+    update_held(rock, m, cut.groups[i], part, carried, w);
     const PressingPart pressing{
-        {g.parts.data() + from, k - from}, m.X_PW1 * m.X_WP0, gap, how.ramp, how.left_out_P};
+        {g.parts.data() + from, k - from}, m.X_PW1 * m.X_WP0, gap, how.ramp, how.excluded_normal_P};
     contact_by_part[at(part)] = sum_contact(m, {rock, pressing, part, how.division, w});
-    keep_made(rock, g, m, w);
+    keep_maintenance_vertices(rock, g, m, w);
     rock.pressed[at(part)].assign(w.pressed.begin(), w.pressed.end());
   }
 }
@@ -325,14 +326,14 @@ void contact_areas(Rock& rock, const CuttingBit& bit, const CutWorkspace& cut,
                    std::vector<PartContact>& contact_by_part) {
   contact_by_part.assign(at(bit.part_count), {});
   rock.pressed.resize(at(bit.part_count));
-  keep_concerned(rock, work);
-  show_passed(rock, work.places_W);
+  keep_relevant_operations(rock, work);
+  apply_residues(rock, work.places_W);
   parallel_for(static_cast<int>(bit.groups.size()), [&](int i) {
     if (bit.groups[at(i)].kind == GroupKind::parts)
       measure_group(rock, bit, cut, at(i), options, work.carried, work.scratch.local(),
                     contact_by_part);
   });
-  put_back(rock, work.places_W);
+  undo_residues(rock, work.places_W);
   rock.carried.clear();
 }
 

@@ -40,10 +40,10 @@ struct ContactScratch {
 /// Buffers for the contact areas of a step, kept between steps to avoid allocations.
 struct ContactWork {
   PerThread<ContactScratch> scratch;
-  std::vector<CarriedDisplacement> carried;
+  std::vector<InterpolatedDisplacement> carried;
   std::vector<int> mark;  ///< per vertex
   int stamp = 0;
-  std::vector<Vec3> places_W;  ///< buffer of show_passed
+  std::vector<Vec3> places_W;  ///< buffer of apply_residues
 };
 
 /// Rock surface in contact with a part of the bit. All zero if there is none.
@@ -100,7 +100,7 @@ struct ContactOfPart {
   /// Unit vector or zero. The plane of a convex part with this outward normal is left out because
   /// its contact is measured in another way. Vertices that it holds count as on the part's lee
   /// side.
-  Vec3 left_out_P = Vec3::Zero();
+  Vec3 excluded_normal_P = Vec3::Zero();
   ContactDivision division = ContactDivision::none;
 };
 

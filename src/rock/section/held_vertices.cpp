@@ -1,6 +1,6 @@
 #include "rock/section/held_vertices.hpp"
 
-#include "mesh/search/inside.hpp"
+#include "mesh/search/triangle_tree.hpp"
 #include "rock/cut/plane_strip.hpp"
 
 namespace tdbd::rock {
@@ -81,17 +81,17 @@ void set_pressed(std::vector<PressedVertex>& pressed, const PressedVertex& p) {
 }
 
 /// What the part pressed after the last cut, updated by the operations of maintenance since.
-void carry(const Rock& rock, int part, std::span<const CarriedDisplacement> carried,
+void carry(const Rock& rock, int part, std::span<const InterpolatedDisplacement> carried,
            std::vector<PressedVertex>& pressed) {
   pressed = rock.pressed[at(part)];
   if (pressed.empty()) return;
-  for (const CarriedDisplacement& c : carried) {
+  for (const InterpolatedDisplacement& c : carried) {
     Vec3 mean = Vec3::Zero();
     for (std::size_t i = 0; i < 3; ++i)
       if (c.weight[i] > 0.0) mean += c.weight[i] * displacement_of(pressed, c.from[i]);
     const PressedVertex* known = find_pressed(pressed, c.v);
     if (known != nullptr || !mean.isZero(0.0))
-      set_pressed(pressed, {c.v, mean, known != nullptr ? known->hold : Hold::made});
+      set_pressed(pressed, {c.v, mean, known != nullptr ? known->hold : ContactStatus::made});
   }
 }
 
@@ -108,7 +108,7 @@ void find_near(const Rock& rock, const CuttingBit& bit, const CutWorkspace& cut,
   const mesh::Box box_W = widened(m.region_W, gap).box;
   w.near.clear();
   w.near_P.clear();
-  if (cut.groups[i].knows_touching && gap <= cut.contact_gap) {
+  if (cut.groups[i].touching_is_complete && gap <= cut.contact_gap) {
     add_within(rock, g, m, gap, cut.groups[i].near.touching, w);
     visit_overlapping(cut.moved_boxes, box_W, [&](std::size_t k) {
       if (const GroupCut& other = cut.groups[k]; k != i && other.moved_box_W.overlaps(box_W))
@@ -144,7 +144,7 @@ const PressedVertex* find_pressed(const std::vector<PressedVertex>& pressed, int
   return found != pressed.end() && found->v == v ? &*found : nullptr;
 }
 
-void keep_concerned(const Rock& rock, ContactWork& work) {
+void keep_relevant_operations(const Rock& rock, ContactWork& work) {
   work.carried.clear();
   if (rock.carried.empty()) return;
   work.mark.resize(rock.surface.stars.size(), 0);
@@ -152,15 +152,15 @@ void keep_concerned(const Rock& rock, ContactWork& work) {
   for (const std::vector<PressedVertex>& part : rock.pressed)
     for (const PressedVertex& p : part) work.mark[at(p.v)] = work.stamp;
   const auto is_marked = [&](int v) { return v >= 0 && work.mark[at(v)] == work.stamp; };
-  for (const CarriedDisplacement& c : rock.carried) {
+  for (const InterpolatedDisplacement& c : rock.carried) {
     if (c.v < 0 || !(is_marked(c.v) || std::ranges::any_of(c.from, is_marked))) continue;
     work.mark[at(c.v)] = work.stamp;
     work.carried.push_back(c);
   }
 }
 
-void take_held(const Rock& rock, const GroupMotion& m, const GroupCut& cut, int part,
-               std::span<const CarriedDisplacement> carried, ContactScratch& w) {
+void update_held(const Rock& rock, const GroupMotion& m, const GroupCut& cut, int part,
+                 std::span<const InterpolatedDisplacement> carried, ContactScratch& w) {
   std::ranges::sort(w.held);
   carry(rock, part, carried, w.inherited);
   w.pressed.clear();
@@ -169,8 +169,8 @@ void take_held(const Rock& rock, const GroupMotion& m, const GroupCut& cut, int 
   for (const int v : w.held) {
     const PressedVertex* before = find_pressed(w.inherited, v);
     Vec3 d_W = moved_by(cut, part, v);
-    if (before != nullptr && before->hold != Hold::left) d_W += before->d_W;
-    w.pressed.push_back({v, d_W, Hold::held});
+    if (before != nullptr && before->hold != ContactStatus::left) d_W += before->d_W;
+    w.pressed.push_back({v, d_W, ContactStatus::held});
     w.index[at(v)] = static_cast<int>(w.places.size());
     w.places.push_back({m.X_PW1 * rock.surface.position(v), m.X_PW1.R * d_W, true});
   }

@@ -23,12 +23,12 @@ const PressedVertex* find_pressed(const std::vector<PressedVertex>& pressed, int
 
 /// Fills work.carried with those operations of maintenance that concern a vertex in any part's
 /// list.
-void keep_concerned(const Rock& rock, ContactWork& work);
+void keep_relevant_operations(const Rock& rock, ContactWork& work);
 
 /// Computes the vertices that the part holds and how far it has pressed them. w.inherited: what it
 /// pressed after the last cut, updated by the operations of maintenance since. w.pressed and
 /// w.places: the held vertices.
-void take_held(const Rock& rock, const GroupMotion& m, const GroupCut& cut, int part,
-               std::span<const CarriedDisplacement> carried, ContactScratch& w);
+void update_held(const Rock& rock, const GroupMotion& m, const GroupCut& cut, int part,
+                 std::span<const InterpolatedDisplacement> carried, ContactScratch& w);
 
 }  // namespace tdbd::rock

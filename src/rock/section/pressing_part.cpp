@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/search/inside.hpp"
+#include "mesh/search/triangle_tree.hpp"
 #include "rock/cut/plane_strip.hpp"
 
 namespace tdbd::rock {
@@ -64,10 +64,10 @@ struct NearestSide {
   bool is_lee = false;
 };
 
-/// See ContactOfPart::left_out_P.
-bool is_left_out(const PressingPart& part, const Vec3& n_P) {
+/// See ContactOfPart::excluded_normal_P.
+bool is_excluded_plane(const PressingPart& part, const Vec3& n_P) {
   constexpr double same_normal = 1e-12;  // of the cosine
-  return part.left_out_P.dot(n_P) > 1.0 - same_normal;
+  return part.excluded_normal_P.dot(n_P) > 1.0 - same_normal;
 }
 
 /// Whether all of the nearest planes moved away or are left out.
@@ -76,7 +76,7 @@ bool all_moved_away(const PressingPart& part, const mesh::ConvexSolid& s, const 
   const Vec3 move_P = displacement_P(part, x_P);
   for (std::size_t k = 0; k < nearest.count; ++k)
     if (const Vec3 n_P = mesh::normal(s, at(nearest.plane[k]));
-        !is_left_out(part, n_P) && presses_or_slides(part, move_P, n_P))
+        !is_excluded_plane(part, n_P) && presses_or_slides(part, move_P, n_P))
       return false;
   return true;
 }

@@ -9,11 +9,11 @@ namespace tdbd::rock {
 /// One part of the bit for the measurement of contact: its solids at the end of a step, and their
 /// motion in the step. All points in the frame P of the part's group at the end of the step.
 struct PressingPart {
-  std::span<const CuttingPart> solids;  ///< one, or the convex pieces of the part
-  Pose X_P1P0;                          ///< pose at the step's beginning relative to its end
-  double gap = 0.0;                     ///< m, largest distance that counts as touching
-  double ramp = 0.0;                    ///< ContactOfPart::ramp
-  Vec3 left_out_P = Vec3::Zero();       ///< ContactOfPart::left_out_P
+  std::span<const CuttingPart> solids;    ///< one, or the convex pieces of the part
+  Pose X_P1P0;                            ///< pose at the step's beginning relative to its end
+  double gap = 0.0;                       ///< m, largest distance that counts as touching
+  double ramp = 0.0;                      ///< ContactOfPart::ramp
+  Vec3 excluded_normal_P = Vec3::Zero();  ///< ContactOfPart::excluded_normal_P
 };
 
 /// The planes of a part that is one convex solid; null for other parts.

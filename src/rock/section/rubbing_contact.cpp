@@ -7,8 +7,8 @@
 
 #include "core/parallel.hpp"
 #include "core/sort_unique.hpp"
-#include "mesh/search/inside.hpp"
-#include "rock/cut/hull_sieve.hpp"
+#include "mesh/search/triangle_tree.hpp"
+#include "rock/cut/sieves.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -25,17 +25,17 @@ Region region_of(const mesh::Box& box_P, const Pose& X_WP) {
 }
 
 /// Whether the part cannot have reached any rock: its axis and its place have moved by no more than
-/// the room since it was clear, and only the cut has changed the rock.
+/// the margin since it was clear, and only the cut has changed the rock.
 bool stays_clear(const Rock& rock, const Pose& X_WP, const CutWorkspace& cut, RubbingPart& part) {
   RubbingPart::Clear& c = part.clear;
   if (c.changes < 0 || c.changes != cut.changes_before) return false;
   const double moved =
       (X_WP.p - c.X_WP.p).norm() + (X_WP.R.col(2) - c.X_WP.R.col(2)).norm() * part.reach;
-  if (moved > part.underside_P.room) return false;
+  if (moved > part.underside_P.margin) return false;
   const Pose X_PW = inverse(c.X_WP);
   for (const GroupCut& g : cut.groups)
     for (const int v : g.moved_in_step)
-      if (may_hold(part.underside_P, Around::vertex, X_PW * rock.surface.position(v), 0.0))
+      if (may_contain(part.underside_P, Around::vertex, X_PW * rock.surface.position(v), 0.0))
         return false;
   c.changes = rock.grid.changes();
   return true;
@@ -61,16 +61,16 @@ TDBD_WIDE void put_in_part(const VertexGrid::Block& block, const SingleFrame& X_
 
 /// Collects the vertices that are not certainly outside the part, and determines whether the part
 /// is clear of all. As soon as it is not clear, only the columns are tested.
-void gather_doubtful(const Rock& rock, const Pose& X_WP, RubbingPart& part, RubbingWork& w) {
+void collect_uncertain(const Rock& rock, const Pose& X_WP, RubbingPart& part, RubbingWork& w) {
   const Pose X_PW = inverse(X_WP);
   const Underside& u = part.underside_P;
   const double height =
       0.5 * rock.grid.cell() * X_PW.R.row(2).lpNorm<1>();  // of half a cell along z
   const auto may = [&](const Vec3& middle_P, VertexGrid::Span span) {
-    return span == VertexGrid::Span::tile ? may_hold(u, Around::tile, middle_P, 4.0 * height)
-                                          : may_hold(u, Around::cell, middle_P, height);
+    return span == VertexGrid::Span::tile ? may_contain(u, Around::tile, middle_P, 4.0 * height)
+                                          : may_contain(u, Around::cell, middle_P, height);
   };
-  const mesh::Box box_W = widened(region_of(part.box_P, X_WP), u.room).box;
+  const mesh::Box box_W = widened(region_of(part.box_P, X_WP), u.margin).box;
   part.clear = {rock.grid.changes(), X_WP};
   bool is_clear = true;
   const SingleFrame single_PW = single_frame(X_PW, Vec3::Zero());
@@ -78,9 +78,9 @@ void gather_doubtful(const Rock& rock, const Pose& X_WP, RubbingPart& part, Rubb
   rock.grid.visit_where(box_W, X_PW, may, [&](const VertexGrid::Block& block) {
     put_in_part(block, single_PW, places_P);
     for (std::size_t s = 0; s < at(block.count); ++s) {
-      if (is_clear && !may_hold(u, places_P.r2[s], places_P.z[s])) continue;
+      if (is_clear && !may_contain(u, places_P.r2[s], places_P.z[s])) continue;
       is_clear = false;
-      if (may_hold(u, Vec3(places_P.x[s], places_P.y[s], places_P.z[s])))
+      if (may_contain(u, Vec3(places_P.x[s], places_P.y[s], places_P.z[s])))
         w.near.push_back(block.v[s]);
     }
   });
@@ -110,7 +110,7 @@ void find_near(const Rock& rock, const Pose& X_WP, double edge, RubbingPart& par
   const Pose X_PW = inverse(X_WP);
   w.near.clear();
   if (part.tree_P) {
-    gather_doubtful(rock, X_WP, part, w);
+    collect_uncertain(rock, X_WP, part, w);
     keep_inside(rock, part, X_WP, w);
   } else {
     const Region region_W = widened(region_of(part.box_P, X_WP), edge);

@@ -9,7 +9,6 @@
 #include "mesh/shape/convex.hpp"
 #include "rock/cut/cut_rock.hpp"
 #include "rock/rock.hpp"
-#include "rock/section/box_sides.hpp"
 #include "rock/section/contact_area.hpp"
 #include "rock/section/underside.hpp"
 
@@ -18,7 +17,7 @@ namespace tdbd::rock {
 /// A part that rubs. It moves no rock, so rock may be inside it. Prepared once: by its planes if it
 /// is convex, otherwise by a tree over its facets.
 struct RubbingPart {
-  /// Records that all rock vertices are farther than underside_P.room from the part at X_WP,
+  /// Records that all rock vertices are farther than underside_P.margin from the part at X_WP,
   /// rotated by any angle about its axis.
   struct Clear {
     long changes = -1;  ///< number of the rock index's changes included; -1: not known to be clear

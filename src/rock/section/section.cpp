@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "core/angles.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::rock {
 namespace {
@@ -51,7 +51,7 @@ const FaceColumns* forward_columns(const SectionFace& face, const ForwardSpeed& 
 }
 
 /// Whether the outline continues above the searched zone.
-bool goes_over_the_top(const OutlineSegment& s, const FacePlane& f) {
+bool continues_above_zone(const OutlineSegment& s, const FacePlane& f) {
   const double top = f.face.hi_F.y() + 0.25 * f.reach;
   const auto is_over = [&](const Vec2& x_F) {
     return x_F.y() > top && x_F.x() > f.left && x_F.x() < f.right;
@@ -81,7 +81,7 @@ bool is_seen(const FacePlane& plane, const OutlineWork& w) {
 
 /// Rock usually meets a face at its lower half, so that is searched first. If nothing is found
 /// there, the search is repeated all around the face with twice the reach.
-bool see_outline(const Rock& rock, FacePlane& plane, OutlineWork& outline) {
+bool find_outline_around(const Rock& rock, FacePlane& plane, OutlineWork& outline) {
   find_outline(rock, plane, outline);
   if (is_seen(plane, outline)) return true;
   plane.reach *= 2.0;
@@ -117,14 +117,14 @@ void add_run(const FaceStrip& strip, const FacePlane& plane, const OutlineRun& r
     const bool adds = !is_beneath(o, k) && concerns(s, plane);
     ++k;
     if (!adds) continue;
-    if (goes_over_the_top(s, plane)) w.sight = Sight::over_the_top;
+    if (continues_above_zone(s, plane)) w.sight = OutlineStatus::over_the_top;
     add_segment(plane.face, strip.first, strip.end, s, w.sums);
   }
 }
 
 void add_strip(const Rock& rock, const FaceStrip& strip, FacePlane plane, SectionWork& w) {
-  if (!see_outline(rock, plane, w.outline)) return;
-  if (w.sight == Sight::none) w.sight = Sight::clear;
+  if (!find_outline_around(rock, plane, w.outline)) return;
+  if (w.sight == OutlineStatus::none) w.sight = OutlineStatus::clear;
   for (const OutlineRun& run : w.outline.runs) add_run(strip, plane, run, w);
 }
 
@@ -199,7 +199,7 @@ Section section_ahead(const Rock& rock, const FaceColumns& columns, const FacePl
                       const FlatBehind& flat, const SectionPlace& place, double times,
                       SectionWork& work) {
   begin_sums(columns, work.sums);
-  work.sight = Sight::none;
+  work.sight = OutlineStatus::none;
   const double middle = 0.5 * (columns.lo_F.y() + columns.hi_F.y());
   for (const FaceStrip& strip : work.strips)
     add_strip(rock, strip,
@@ -246,17 +246,18 @@ Section section(const Rock& rock, const SectionFace& face, const Pose& X_WB,
   work.measured = columns;
   if (columns == nullptr) {
     Section s;
-    s.sight = Sight::none;
+    s.sight = OutlineStatus::none;
     return s;
   }
   face_strips(*columns, v, range, lead_of(*columns, X_BF, v, twist, place.lead),
               time_of_turn(twist, place.largest_turn), work.strips);
   const FacePlace moving{X_WB, X_BF, twist};
   const Section one = section_ahead(rock, *columns, moving, face.flat, place, 1.0, work);
-  if (place.at_face == SectionAtFace::as_ahead || one.sight != Sight::clear || !(one.area > 0.0))
+  if (place.at_face == SectionAtFace::as_ahead || one.sight != OutlineStatus::clear ||
+      !(one.area > 0.0))
     return one;
   const Section two = section_ahead(rock, *columns, moving, face.flat, place, 2.0, work);
-  return two.sight == Sight::clear ? at_the_face(one, two) : one;
+  return two.sight == OutlineStatus::clear ? at_the_face(one, two) : one;
 }
 
 }  // namespace tdbd::rock

@@ -2,8 +2,7 @@
 
 #include "rock/rock.hpp"
 #include "rock/section/crossing_segments.hpp"
-#include "rock/section/face_strips.hpp"
-#include "rock/section/flat_behind.hpp"
+#include "rock/section/face_columns.hpp"
 
 namespace tdbd::rock {
 
@@ -28,7 +27,7 @@ struct SectionPlace {
 /// What was found of the rock's outline in the plane of a face. `none`: no outline, so the face is
 /// either outside the rock or deep in it. `over_the_top`: the outline leaves through the top; the
 /// rock above it is unknown, so the values of the section are not valid.
-enum class Sight { clear, none, over_the_top };
+enum class OutlineStatus { clear, none, over_the_top };
 
 /// The part of a face's outline that lies in uncut rock.
 struct Section {
@@ -37,7 +36,7 @@ struct Section {
   double engaged_edge = 0.0;     ///< m, length of the outline in rock (De)
   double angle_of_attack = 0.0;  ///< rad, between face and path, mean along the engaged edge
   double volume_rate = 0.0;      ///< m3/s, swept by this area: integral of X . v dA
-  Sight sight = Sight::clear;
+  OutlineStatus sight = OutlineStatus::clear;
   Vec3 edge_centroid_B = Vec3::Zero();  ///< m, of the engaged edge
   double flat_area = 0.0;  ///< m2, of the cutter's wear flat behind its engaged edge (FlatBehind)
   Vec3 flat_centroid_B = Vec3::Zero();  ///< m, of flat_area
@@ -65,7 +64,7 @@ struct SectionWork {
   ConvexPolygon forward_F;  ///< the part of the outline that does not move backwards
   FaceColumns forward;      ///< forward_F in columns
   ColumnSums sums;
-  Sight sight = Sight::none;  ///< of the strips so far
+  OutlineStatus sight = OutlineStatus::none;  ///< of the strips so far
   /// The columns of `sums`, of the face or of this work; null if nothing was measured.
   const FaceColumns* measured = nullptr;
 };

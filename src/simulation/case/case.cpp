@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "bit/cone/tooth_directions.hpp"
+#include "bit/cone/cone_bit.hpp"
 #include "bit/files/bit_file.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
@@ -148,7 +148,7 @@ bit::BitFile read_bit_of(Config& c, Config& update, const BitReader& read_bit) {
   } catch (const InputError& e) {
     c.other_file(e.what());
   }
-  bit::direct_teeth(bit.bit, update.read(update_keys::gage_teeth));
+  bit::set_tooth_directions(bit.bit, update.read(update_keys::gage_teeth));
   return bit;
 }
 

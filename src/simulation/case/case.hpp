@@ -11,7 +11,6 @@
 #include "rock/cut/cutting_bit.hpp"
 #include "rock/maintain/maintain.hpp"
 #include "rock/start/borehole.hpp"
-#include "rock/start/rough_bottom.hpp"
 #include "simulation/case/case_warning.hpp"
 #include "simulation/case/motion.hpp"
 #include "simulation/case/plans.hpp"
@@ -78,7 +77,7 @@ struct OutputPlan {
   long checkpoint_every = -1;  ///< steps; negative: as often as costs less than 1 % of the time
   double means_from = 0.0;     ///< s since the run's beginning: steps before do not count in means
   std::vector<StudiedConvergence> convergence = {};  ///< of this case
-  EnergyOrderWish energy_order = *output_keys::energy_order.fallback;
+  EnergyOrderOption energy_order = *output_keys::energy_order.fallback;
   long energy_order_window = *output_keys::energy_order_window.fallback;  ///< steps
   ChainOutput chain = {};  ///< of a string on a chain
 };

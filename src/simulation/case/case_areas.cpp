@@ -71,7 +71,7 @@ std::vector<int> decide_laws(bit::Areas& areas, const bit::Bit& bit,
       values[i] = static_cast<double>(given[i].law->index());
       shown[i] = fmt::format("\"{}\"", forces::law_name(*given[i].law));
     }
-  return bit::decide_or_note(areas, bit, force_keys::area_law, values, shown);
+  return bit::decide_or_report(areas, bit, force_keys::area_law, values, shown);
 }
 
 /// The parts of an area without a law on whose laws its coefficients act: a more particular area
@@ -134,7 +134,7 @@ void apply_coefficients(bit::Areas& areas, const bit::Bit& bit, const std::vecto
         values[i] = found->second;
         shown[i] = fmt::format("{:g}", found->second);
       }
-    const std::vector<int> decided = bit::decide_or_note(areas, bit, key, values, shown);
+    const std::vector<int> decided = bit::decide_or_report(areas, bit, key, values, shown);
     for (std::size_t p = 0; p < decided.size(); ++p)
       for (const forces::LawField& f : forces::law_fields(plan.part_laws[p]))
         if (decided[p] >= 0 && f.key == key) *f.value = *values[at(decided[p])];

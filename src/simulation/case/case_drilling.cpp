@@ -5,10 +5,9 @@
 #include <cmath>
 
 #include "bit/cone/cone_measures.hpp"
-#include "bit/cone/cone_rolling.hpp"
 #include "core/error.hpp"
 #include "dynamics/drilling/chained_string.hpp"
-#include "dynamics/momenta.hpp"
+#include "dynamics/gyrostat.hpp"
 #include "simulation/case/drilling_keys.hpp"
 #include "simulation/case/read_chain.hpp"
 #include "string/statics.hpp"

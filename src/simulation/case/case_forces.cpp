@@ -82,7 +82,7 @@ void bear_on_wall(Config& whole, const Config& forces, const bit::Bit& bit, Foll
       wall.problem(key, "[forces.gage_pad] as well", "one of the two");
     }
   if (!bit.parts.empty() && std::ranges::none_of(bit.parts, [](const bit::Part& p) {
-        return p.kind == PartKind::gage_pad && cutting_in_the_end(p) != bit::Cutting::never;
+        return p.kind == PartKind::gage_pad && final_cutting(p) != bit::Cutting::never;
       }))
     wall.problem(wall_keys::model, "\"rock\" and a bit without gage pads",
                  "gage pads that bear on the wall ([gage_pads] of the bit file), or \"ring\"");
@@ -146,7 +146,7 @@ void warn_of_unborne(const Config& c, const bit::Bit& bit, const ForcePlan& plan
                      std::vector<CaseWarning>& warnings) {
   for (std::size_t i = 0; i < bit.parts.size(); ++i) {
     const bit::Part& p = bit.parts[i];
-    if (cutting_in_the_end(p) != bit::Cutting::rubs || has_law(plan, bit, i)) continue;
+    if (final_cutting(p) != bit::Cutting::rubs || has_law(plan, bit, i)) continue;
     const std::string key = bit::kind_key(p.kind);
     warnings.push_back(
         {c.place(force_keys::table.name), std::string(force_keys::table.name),
@@ -163,7 +163,7 @@ bool needs_a_cutter(const ForcePlan& plan, PartKind kind) {
          (kind == PartKind::chamfer && plan.chamfer == ChamferMeasure::edge);
 }
 
-bool meets_rock(const bit::Part& p) { return cutting_in_the_end(p) != bit::Cutting::never; }
+bool meets_rock(const bit::Part& p) { return final_cutting(p) != bit::Cutting::never; }
 
 /// The laws that act on a part of this bit, and on which kinds: "a law that acts on a part of this bit
 /// (gage pad): friction".

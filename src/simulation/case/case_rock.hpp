@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/config/config.hpp"
-#include "forces/rock/formation.hpp"
 #include "forces/rock/rock_material.hpp"
 #include "simulation/case/case.hpp"
 

@@ -8,8 +8,7 @@
 #include <optional>
 
 #include "bit/areas/read_areas.hpp"
-#include "bit/cutter/cutter_frame.hpp"
-#include "core/angles.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "core/types.hpp"
 #include "simulation/case/case_rock.hpp"
 #include "simulation/case/rock_keys.hpp"
@@ -82,7 +81,7 @@ void read_spalling_areas(Config& c, const bit::Bit& bit, const std::string& wher
   require_property(areas, given);
   for (std::size_t k = 0; k < keys.size(); ++k) {
     const std::vector<int> area =
-        bit::decide_or_note(areas, bit, keys[k].name, given[k].values, given[k].shown);
+        bit::decide_or_report(areas, bit, keys[k].name, given[k].values, given[k].shown);
     for (std::size_t p = 0; p < bit.parts.size(); ++p) {
       rock::BreakoutRule& r = rules[p];
       double& value = k == 0 ? r.angle : k == 1 ? r.depth_share : r.ahead_share;

@@ -92,14 +92,14 @@ void read_wear_areas(Config& c, const bit::Bit& bit, const std::string& where, W
         laws.back()));
   }
   const std::vector<int> decided =
-      bit::decide_or_note(areas, bit, wear_keys::law.name, values, shown);
+      bit::decide_or_report(areas, bit, wear_keys::law.name, values, shown);
   for (std::size_t p = 0; p < decided.size(); ++p)
     if (decided[p] >= 0) plan.part_laws[p] = laws[at(decided[p])];
 }
 
 void require_wearing_bit(Config& c, const bit::Bit& bit, const ForcePlan& forces) {
   if (bit.parts.empty()) return;  // its own mistakes are noted
-  const bool is_from_meshes = bit.cutters_from == bit::CuttersFrom::meshes;
+  const bool is_from_meshes = bit.cutter_source == bit::CutterSource::meshes;
   if (is_from_meshes || std::ranges::none_of(bit.parts, can_wear))
     c.problem(
         "",

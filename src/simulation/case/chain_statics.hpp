@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "string/modes.hpp"
 #include "string/section.hpp"
 #include "string/statics.hpp"
 

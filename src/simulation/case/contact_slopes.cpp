@@ -85,8 +85,7 @@ dynamics::ContactSlopes contact_slopes(const bit::Bit& bit, const ForcePlan& pla
   for (std::size_t i = 0; i < bit.cutters.size(); ++i) {
     const bit::Cutter& c = bit.cutters[i];
     const std::optional<int> face = face_of(bit, static_cast<int>(i));
-    if (face &&
-        cutting_in_the_end(bit.parts[static_cast<std::size_t>(*face)]) != bit::Cutting::cuts)
+    if (face && final_cutting(bit.parts[static_cast<std::size_t>(*face)]) != bit::Cutting::cuts)
       continue;
     const double slope = normal_force(plan, cut_of(c, strongest), face) / depth;
     const double down = std::cos(c.profile_angle), out = std::sin(c.profile_angle);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/config/key.hpp"
-#include "forces/fits.hpp"
 #include "forces/law.hpp"
 
 namespace tdbd::simulation {

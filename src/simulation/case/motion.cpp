@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 
 namespace tdbd::simulation {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/pose.hpp"
+#include "core/types.hpp"
 #include "dynamics/drilling/drilling_system.hpp"
 #include "simulation/case/motion_keys.hpp"
 

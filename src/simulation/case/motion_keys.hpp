@@ -10,7 +10,7 @@ enum class MotionKind { steady, whirl, legs, table, drilling };
 enum class WhirlSense { forward, backward };
 
 /// How the cones of a roller cone bit turn: each at a given speed over the bit's, or as its
-/// contacts with rock let it (cone_motion.hpp).
+/// contacts with rock let it (drive.hpp).
 enum class ConeDrive { given, rolling };
 
 /// No spring, damper, mass or load is larger (SI): the products of larger ones with others are no numbers.

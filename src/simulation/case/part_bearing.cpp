@@ -79,7 +79,7 @@ bool bears_by_default(const ForcePlan& plan, const bit::Bit& bit, const bit::Par
 bool presses(const ForcePlan& plan, const bit::Bit& bit, const bit::Part& part) {
   using bit::PartKind;
   const bool follows_a_face = part.cutter >= 0 && has_face_with_law(plan, bit, part.cutter);
-  return cutting_in_the_end(part) != bit::Cutting::never && part.kind != PartKind::face &&
+  return final_cutting(part) != bit::Cutting::never && part.kind != PartKind::face &&
          !follows_a_face && part.row < 0 && has_law(plan, part.kind, index_of(bit, part)) &&
          !bears_by_default(plan, bit, part);
 }

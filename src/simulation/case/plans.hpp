@@ -10,12 +10,12 @@
 #include "bit/wear/wear_law.hpp"
 #include "dynamics/drilling/drilling_system.hpp"
 #include "forces/law.hpp"
-#include "forces/rock/formation.hpp"
+#include "forces/rock/rock_material.hpp"
 #include "rock/section/breakout.hpp"
 #include "simulation/case/force_keys.hpp"
 #include "simulation/case/run_keys.hpp"
+#include "string/section.hpp"
 #include "string/statics.hpp"
-#include "string/survey.hpp"
 
 namespace tdbd::simulation {
 

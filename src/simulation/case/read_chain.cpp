@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "string/modes.hpp"
+#include "string/statics.hpp"
 
 namespace tdbd::simulation {
 namespace {

@@ -1,6 +1,6 @@
 #include "simulation/case/read_law.hpp"
 
-#include "forces/fits.hpp"
+#include "forces/law.hpp"
 #include "simulation/case/force_keys.hpp"
 
 namespace tdbd::simulation {

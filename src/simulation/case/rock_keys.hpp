@@ -157,7 +157,7 @@ inline constexpr QuantityKey friction_angle{.name = "friction_angle",
                                             .meaning = "internal friction (Mohr and Coulomb)"};
 /// Pumice, the most porous rock, has 0.9.
 inline constexpr QuantityKey porosity{.name = "porosity",
-                                      .fallback = forces::usual_porosity,
+                                      .fallback = forces::default_porosity,
                                       .range = Range::within(0.0, 0.9),
                                       .meaning = "effective porosity; confinement by-porosity"};
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bit/cone/tooth_directions.hpp"
+#include "bit/cone/cone_bit.hpp"
 #include "bit/update_direction.hpp"
 #include "core/config/key.hpp"
 #include "rock/cut/cutting_bit.hpp"
@@ -13,7 +13,7 @@ enum class SectionMeasure { off, ahead };
 enum class ContactMeasure { off, on };
 
 /// Whether a bit that forces move observes the order of its energy's residual.
-enum class EnergyOrderWish {
+enum class EnergyOrderOption {
   off,
   on,      ///< where that costs at most a tenth of the run's steps
   always,  ///< whatever it costs
@@ -244,12 +244,12 @@ inline constexpr PathKey convergence{
     .meaning =
         "a convergence.json of this case (`tdbd converge`), or a list of several in one file: "
         "summary.json then has the numerical uncertainty of its means"};
-inline constexpr ChoiceKey<EnergyOrderWish> energy_order{
+inline constexpr ChoiceKey<EnergyOrderOption> energy_order{
     .name = "energy_order",
-    .values = {{{"on", EnergyOrderWish::on},
-                {"off", EnergyOrderWish::off},
-                {"always", EnergyOrderWish::always}}},
-    .fallback = EnergyOrderWish::on,
+    .values = {{{"on", EnergyOrderOption::on},
+                {"off", EnergyOrderOption::off},
+                {"always", EnergyOrderOption::always}}},
+    .fallback = EnergyOrderOption::on,
     .meaning =
         "drilling: whether to observe the order of the energy's residual; on: where it "
         "costs at most a tenth of the run's steps"};

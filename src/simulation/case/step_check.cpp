@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "mesh/measures.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -21,7 +21,7 @@ struct Obstacle {
 std::vector<Obstacle> cutting_parts(const bit::Bit& bit) {
   std::vector<Obstacle> parts;
   for (const bit::Part& part : bit.parts) {
-    if (cutting_in_the_end(part) != bit::Cutting::cuts || part.mesh_P.positions.empty()) continue;
+    if (final_cutting(part) != bit::Cutting::cuts || part.mesh_P.positions.empty()) continue;
     const mesh::Box box_P = mesh::bounding_box(part.mesh_P);
     parts.push_back({&part, part.X_BP * (0.5 * (box_P.lo + box_P.hi)), box_P.size().norm()});
   }

@@ -2,10 +2,80 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/error.hpp"
+#include "core/hash.hpp"
+#include "simulation/case/chain_doubts.hpp"
+#include "simulation/case/history_rows.hpp"
+#include "simulation/case/rotate_keys.hpp"
+#include "simulation/case/title_key.hpp"
 
 namespace tdbd::simulation {
+namespace {
+
+/// Frequency at which the blades of a regenerative bit pass a point, Hz; 0 for other bits.
+double passing_frequency(const ChainPlan& p) {
+  return p.bit.pitch > 0.0 ? p.rotary_speed / p.bit.pitch : 0.0;
+}
+
+}  // namespace
+
+std::vector<DepthLoad> loads_by_depth(const ChainPlan& plan) {
+  constexpr int depths = 50;
+  const double length = plan.chain.elements.length * plan.chain.count();
+  std::vector<DepthLoad> loads;
+  for (int k = 1; k <= depths; ++k) {
+    const double depth = length * k / depths;
+    ChainPlan p = plan;
+    p.string.sections.clear();
+    for (const string::Span& s :
+         string::spans_between(plan.string.sections, length - depth, length)) {
+      p.string.sections.push_back(*s.section);
+      p.string.sections.back().length = s.bottom - s.top;
+    }
+    const int count = std::max(2, plan.chain.count() * k / depths);
+    p.chain.elements = string::make_elements(p.string.sections, count);
+    p.chain.contact =
+        string::make_contact(p.string.sections, p.string.survey, p.string.friction, count);
+    p.bit.gravity_force = p.chain.contact.weight.back() +
+                          plan.bit_weight * string::tangent_at(p.string.survey, depth).z();
+    p.motion = {0.0, 0.0, p.bit.gravity_force, 0.0};
+    DepthLoad here{depth};
+    for (const StaticLoad& l : static_loads(p)) {
+      const string::SurfaceLoad& surface = l.load.surface;
+      if (l.name == "pull_up") here.pull_up = surface.hook_load;
+      if (l.name == "slack_off") here.slack_off = surface.hook_load;
+      if (l.name == "rotate") here.rotate = surface.hook_load;
+      if (l.name == "rotate") here.torque = surface.torque;
+    }
+    loads.push_back(here);
+  }
+  return loads;
+}
+
+ChainCase read_chain_case(const std::string& path, const std::vector<std::string>& overrides) {
+  Config c = Config::read_file(path, overrides);
+  ChainCase r;
+  r.path = path;
+  r.title = c.read(title_keys::title);
+  if (c.has(rotate_time_keys::table)) r.time = read_rotate_time(c.table(rotate_time_keys::table));
+  r.plan = read_chain_plan(c, r.time.step, r.warnings);
+  check_rig_log(c, r.plan.log, r.time.step * static_cast<double>(r.time.steps));
+  Config output = c.table(chain_output_keys::table);
+  r.history_every =
+      output.read(chain_output_keys::history_every, usual_history_every(r.time.steps));
+  r.output = read_chain_output(output, r.plan.chain, r.time.step);
+  c.finish();
+  std::ranges::move(chain_warnings(c, {r.plan.string, r.plan.chain, static_loads(r.plan),
+                                       r.plan.string.hole_diameter, passing_frequency(r.plan)}),
+                    std::back_inserter(r.warnings));
+  r.files = c.files();
+  r.resolved = c.resolved();
+  r.hash = fnv1a_hex(c.fingerprint());
+  return r;
+}
+
 namespace {
 
 void watch(const ChainCase& c, ChainSimulation& s) {

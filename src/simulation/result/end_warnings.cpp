@@ -6,11 +6,11 @@
 #include <numbers>
 #include <string>
 
-#include "bit/cone/part_pose.hpp"
+#include "bit/cone/cone_bit.hpp"
 #include "rock/section/rubbing_contact.hpp"
 #include "simulation/case/doubtful_values.hpp"
 #include "simulation/result/summary.hpp"
-#include "simulation/start/reach.hpp"
+#include "simulation/start/rock_start.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 std::string no_rock(const Case& c, const Simulation& s) {
   const std::string text =
       fmt::format("the bit removed no rock in {} steps", s.state.steps_done - c.time.first);
-  const double gap = gap_on_the_way(c, s.state.rock.surface);
+  const double gap = gap_along_path(c, s.state.rock.surface);
   return gap > 0.0 ? fmt::format("{}: it stays {:.3g} m or more from it", text, gap) : text;
 }
 
@@ -44,7 +44,7 @@ std::string fast(const Case& c, const LoadStatistics& loads) {
 /// Whether rock may be inside a part. Rock moves away from cutting parts, but not from parts that
 /// only rub or from bodies.
 bool may_lie_in_rock(const bit::Part& part) {
-  return cutting_in_the_end(part) == bit::Cutting::rubs ||
+  return final_cutting(part) == bit::Cutting::rubs ||
          (part.cutting == bit::Cutting::never && part.kind == bit::PartKind::bit_body);
 }
 
@@ -57,8 +57,7 @@ std::string deep_in_rock(const Case& c, const Simulation& s, std::size_t index) 
       over_rock(s.state.place) * bit::part_pose(c.bit, part, angles_of(s.state.cones));
   const double depth = rock::depth_in_rock(s.state.rock.surface, part, X_WP);
   if (depth <= std::max(least, c.rock.edge_length)) return "";
-  const bool bears = c.forces.forces == Forces::on &&
-                     cutting_in_the_end(part) == bit::Cutting::rubs &&
+  const bool bears = c.forces.forces == Forces::on && final_cutting(part) == bit::Cutting::rubs &&
                      has_law(c.forces, c.bit, index);
   return fmt::format(
       "{} is {:.3g} mm deep in rock at the end of the run, after {:.4g} s: it removes "

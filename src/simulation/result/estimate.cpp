@@ -4,7 +4,7 @@
 #include "core/error.hpp"
 #include "mesh/measures.hpp"
 #include "simulation/result/run.hpp"
-#include "simulation/start/rock_memory.hpp"
+#include "simulation/start/rock_start.hpp"
 #include "simulation/step/step.hpp"
 
 namespace tdbd::simulation {
@@ -81,9 +81,10 @@ double seconds_per_step(const Case& c, Simulation& s, long& tried) {
 RunEstimate estimate(const Case& c, Simulation& s) {
   RunEstimate e;
   const double steps = static_cast<double>(c.time.steps - c.time.first);
-  const RockNeed wall = need_of_new_wall(c);
+  const RockRequirements wall = new_wall_requirements(c);
   e.triangles = static_cast<double>(s.state.start_triangles) + wall.triangles;
-  const RockNeed start = need_of(0.0, box_of(s.state.rock.surface), c.rock.edge_length);
+  const RockRequirements start =
+      rock_requirements(0.0, box_of(s.state.rock.surface), c.rock.edge_length);
   e.memory_bytes = bytes_of_triangles(e.triangles) + start.bytes + wall.bytes -
                    bytes_of_triangles(wall.triangles);
   e.disk_bytes = disk_bytes(c, e.triangles, steps);

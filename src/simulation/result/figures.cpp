@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "bit/mass_properties.hpp"
+#include "bit/bit.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -163,7 +163,7 @@ Json energy_order_json(const EnergyOrder& o) {
           {"residuals_j", o.residual.residuals}};
 }
 
-Json standing_json(const StandingStatistics& s) {
+Json standing_json(const ImplicitStatistics& s) {
   return {{"steps", s.steps}, {"unsettled", s.unsettled}, {"most_rounds", s.most_rounds}};
 }
 

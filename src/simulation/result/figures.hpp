@@ -7,7 +7,6 @@
 
 #include "dynamics/drilling/drilling_step.hpp"
 #include "dynamics/drilling/energy_ledger.hpp"
-#include "dynamics/drilling/residual_order.hpp"
 #include "simulation/case/chain_statics.hpp"
 #include "simulation/step/diagnosis.hpp"
 #include "simulation/step/energy_order.hpp"
@@ -38,7 +37,7 @@ struct DriveFigures {
   std::map<std::string, double> cutting_by_part;  ///< J, power times step: of first order
   Expected expected;
   EnergyOrder order;
-  StandingStatistics standing;
+  ImplicitStatistics standing;
 };
 
 /// Computes the natural frequencies of string and mass without rock, and the frequency of rolling
@@ -57,7 +56,7 @@ nlohmann::ordered_json energy_order_json(const EnergyOrder& order);
 
 /// Returns "standing" of summary.json: the number of steps whose forces were solved for implicitly
 /// together with the velocity, how many of these iterations did not converge, and the longest one.
-nlohmann::ordered_json standing_json(const StandingStatistics& standing);
+nlohmann::ordered_json standing_json(const ImplicitStatistics& standing);
 
 /// Returns "diagnosis" of summary.json: measured and expected frequencies.
 nlohmann::ordered_json diagnosis_json(const Diagnosis& diagnosis, const Expected& expected);

@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 #include "dynamics/drilling/chained_string.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 #include "simulation/step/wear_step.hpp"
 
 namespace tdbd::simulation {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "bit/cone/part_pose.hpp"
+#include "bit/cone/cone_bit.hpp"
 #include "bit/report/bit_output.hpp"
 #include "io/whole_file.hpp"
 #include "mesh/files/ply.hpp"
@@ -36,7 +36,7 @@ void write_rock(const std::filesystem::path& path, const rock::Rock& rock) {
 /// time.
 void write_stamped_rock(const std::filesystem::path& path, const Case& c, const Simulation& s) {
   const long steps = s.state.steps_done;
-  WholeFile file(path);
+  AtomicFile file(path);
   mesh::write_ply(file.stream(), mesh::compact(s.state.rock.surface),
                   comments_of({steps, time_at(c.time, steps), c.hash}));
   file.commit();

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bit/report/bit_motion.hpp"
+#include "bit/report/bit_output.hpp"
 #include "io/checkpoint.hpp"
 #include "simulation/result/chain_record.hpp"
 #include "simulation/result/history.hpp"

@@ -6,7 +6,7 @@
 #include "bit/report/bit_output.hpp"
 #include "core/parallel.hpp"
 #include "simulation/result/recorder.hpp"
-#include "simulation/start/reach.hpp"
+#include "simulation/start/rock_start.hpp"
 #include "simulation/step/wear_step.hpp"
 
 namespace tdbd::simulation {

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/reason.hpp"
 #include "io/checkpoint.hpp"
 #include "io/whole_file.hpp"
 #include "simulation/case/case_warning.hpp"
@@ -99,7 +98,7 @@ RunStatus complete(Task& task, const OutputFolder& folder, const Options& o) {
     task.recorder.close(status);
   } catch (const std::exception& e) {
     const std::string failure =
-        failure_text(task.steps.done(), task.steps.all(), task.steps.time(), reason_of(e));
+        failure_text(task.steps.done(), task.steps.all(), task.steps.time(), error_message_of(e));
     task.recorder.keep_so_far(e);
     ignore_failure([&] { write_text(folder.failure(), failure + "\n"); });
     throw RunError(failure);

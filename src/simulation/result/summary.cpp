@@ -262,7 +262,7 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   r.trimmed_volume = s.state.ledger.trimmed.value();
   r.rock_triangles_start = s.state.start_triangles;
   r.rock_triangles_end = s.state.rock.surface.triangle_count();
-  const mesh::QualityFigures quality = mesh::quality_figures(s.state.rock.surface);
+  const mesh::QualityStatistics quality = mesh::quality_statistics(s.state.rock.surface);
   r.rock_quality_min = quality.least;
   r.rock_quality_1_percent = quality.one_percent;
   r.gage_radius = c.bit.gage_radius;

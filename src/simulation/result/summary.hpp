@@ -13,8 +13,8 @@
 #include "simulation/case/case_warning.hpp"
 #include "simulation/case/studied_convergence.hpp"
 #include "simulation/result/figures.hpp"
-#include "simulation/step/cone_motion.hpp"
-#include "simulation/step/force_figures.hpp"
+#include "simulation/step/drive.hpp"
+#include "simulation/step/load_figures.hpp"
 #include "simulation/step/measure.hpp"
 #include "simulation/step/simulation.hpp"
 
@@ -57,7 +57,7 @@ struct RunSummary {
   std::map<std::string, long> maintenance;  ///< counts by operation
   std::vector<ConeFigures> cones;
   std::vector<FaceFigures> faces;
-  std::optional<LoadFigures> loads;             ///< empty: the run had no forces
+  std::optional<LoadStatisticsSummary> loads;   ///< empty: the run had no forces
   std::vector<NumericalUncertainty> numerical;  ///< one for each study of the case
   Diagnosis diagnosis;                          ///< if the run has forces
   std::optional<DriveFigures> drive;            ///< if forces move the bit

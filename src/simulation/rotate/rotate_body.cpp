@@ -4,14 +4,14 @@
 
 #include <cmath>
 
+#include "bit/bit.hpp"
 #include "bit/files/part_keys.hpp"
 #include "bit/files/unit_question.hpp"
-#include "bit/mass_properties.hpp"
 #include "core/error.hpp"
 #include "core/tolerance.hpp"
-#include "dynamics/momenta.hpp"
+#include "dynamics/gyrostat.hpp"
 #include "mesh/files/files.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 #include "simulation/case/rotate_keys.hpp"
 
 namespace tdbd::simulation {
@@ -33,10 +33,10 @@ Mat3 read_mesh_inertia(Config& c) {
     const mesh::TriangleMesh m = mesh::read_mesh(file, unit);
     const std::size_t mistakes = c.problem_count();
     const std::string mesh_key(body_keys::mesh);
-    bit::note_mesh_faults(c, mesh_key, file, {{"body", m}},
-                          "a closed mesh whose triangles face outward");
+    bit::report_mesh_faults(c, mesh_key, file, {{"body", m}},
+                            "a closed mesh whose triangles face outward");
     if (c.read(body_keys::unit_check))
-      bit::ask_for_unit(c, std::string(body_keys::unit), m, unit, bit::body_along);
+      bit::unit_error(c, std::string(body_keys::unit), m, unit, bit::body_along);
     if (c.problem_count() == mistakes) return bit::mass_properties(m, density).inertia;
   } catch (const InputError& e) {
     c.problem(body_keys::mesh, e.what(), "a mesh that can be read");

@@ -4,7 +4,6 @@
 
 #include "core/config/config.hpp"
 #include "dynamics/gyrostat.hpp"
-#include "dynamics/rotation_state.hpp"
 
 namespace tdbd::simulation {
 

@@ -8,7 +8,6 @@
 #include "dynamics/gyrostat.hpp"
 #include "dynamics/integrator.hpp"
 #include "dynamics/loads.hpp"
-#include "dynamics/rotation_state.hpp"
 
 namespace tdbd::simulation {
 

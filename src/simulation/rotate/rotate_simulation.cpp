@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "rotation/swing_twist.hpp"
+#include "rotation/quaternion.hpp"
 
 namespace tdbd::simulation {
 namespace {

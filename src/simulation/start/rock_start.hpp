@@ -1,11 +1,49 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "mesh/measures.hpp"
+#include "mesh/surface.hpp"
 #include "rock/rock.hpp"
 #include "simulation/case/case.hpp"
+#include "simulation/case/case_warning.hpp"
 
 namespace tdbd::simulation {
+
+/// Estimated needs of a rock before it is created: triangles at the start and those that the wall
+/// gains as the hole grows, cells of the index, and memory for both.
+struct RockRequirements {
+  double triangles = 0.0, cells = 0.0, bytes = 0.0;
+};
+
+/// Needs of a surface of this area (m2) within a box, with an index whose cells are two edge
+/// lengths wide.
+RockRequirements rock_requirements(double area, const mesh::Box& box_W, double edge_length);
+
+/// Memory of a number of triangles, bytes, without the index.
+double bytes_of_triangles(double triangles);
+
+/// Needs of the wall that the run adds, and of the index along the path of the bit.
+RockRequirements new_wall_requirements(const Case& c);
+
+/// Box of the path of the bit's axis during the run, enlarged by the bit: start, end and the rows
+/// of a path.
+mesh::Box reach_W(const Case& c);
+
+/// Checks that a rock with this area and box, including the wall that the run adds, fits into the
+/// memory of the machine and 32-bit indices. Otherwise throws InputError that names
+/// rock.edge_length, the need and a suitable edge length.
+void require_memory(const Case& c, double area, mesh::Box box_W);
+
+/// Lower bound of the distance between bit and rock during the motion, m: the distance between the
+/// box of the rock and the box of the path of the bit, enlarged by the cutting point farthest from
+/// the origin of the bit. 0 means that they may meet. In free motion, the path is that of a bit
+/// that follows its top.
+double gap_along_path(const Case& c, const mesh::Surface& rock);
+
+/// A warning at `motion` when there is such a gap.
+std::vector<CaseWarning> reach_warnings(const Case& c, const mesh::Surface& rock);
 
 /// Creates the rock of a case at t = 0 with its index. The surface conforms to the exposure profile
 /// of the bit, is flat or rough, has a given meridian, or is read from a file. Throws InputError if

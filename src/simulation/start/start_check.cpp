@@ -51,7 +51,7 @@ void cross_face(const Vec3& a_W, const Vec3& b_W, const Vec3& c_W, Column& colum
 
 }  // namespace
 
-std::vector<double> covers_above(const mesh::Surface& rock, std::span<const Vec3> points_W) {
+std::vector<double> rock_heights_above(const mesh::Surface& rock, std::span<const Vec3> points_W) {
   std::vector<Column> columns = columns_through(points_W);
   for (const mesh::Triangle& t : rock.triangles) {
     if (t[0] < 0) continue;
@@ -67,11 +67,11 @@ std::vector<double> covers_above(const mesh::Surface& rock, std::span<const Vec3
   return covers;
 }
 
-double cover_above(const mesh::Surface& rock, const Vec3& x_W) {
-  return covers_above(rock, std::span(&x_W, 1)).front();
+double rock_height_above(const mesh::Surface& rock, const Vec3& x_W) {
+  return rock_heights_above(rock, std::span(&x_W, 1)).front();
 }
 
-void require_free_start(const Case& c, const mesh::Surface& rock) {
+void require_start_outside_rock(const Case& c, const mesh::Surface& rock) {
   const Pose X_WB = pose_at(c.motion, time_at(c.time, c.time.first));
   std::vector<const bit::Part*> cutting;
   std::vector<Vec3> centres_W;
@@ -80,7 +80,7 @@ void require_free_start(const Case& c, const mesh::Surface& rock) {
     cutting.push_back(&part);
     centres_W.push_back(centre_W(part, X_WB));
   }
-  const std::vector<double> covers = covers_above(rock, centres_W);
+  const std::vector<double> covers = rock_heights_above(rock, centres_W);
   for (std::size_t i = 0; i < covers.size(); ++i)
     if (covers[i] > 0.0)
       throw InputError(

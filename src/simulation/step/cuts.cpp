@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bit/cutter/cutter_frame.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "forces/part/directions.hpp"
 
 namespace tdbd::simulation {
@@ -130,7 +130,7 @@ void split_patches(const ForcePlan& plan, const Measures& m, std::vector<CutOfPa
 /// its part.
 void add_flat(const ForcePlan& plan, const MeasuredStep& step, const Measures& m,
               const CutOfPart& part, std::vector<CutOfPart>& cuts) {
-  if (!bears_on_measured_flat(plan, step.bit, step.bit.parts[at(part.part)])) return;
+  if (!has_measured_flat(plan, step.bit, step.bit.parts[at(part.part)])) return;
   CutOfPart flat = part;
   flat.cut.removed_volume = 0.0;
   take_flat(step, m, flat);

@@ -5,7 +5,6 @@
 #include "forces/part/part_cut.hpp"
 #include "simulation/case/plans.hpp"
 #include "simulation/step/measure.hpp"
-#include "simulation/step/move.hpp"
 
 namespace tdbd::simulation {
 

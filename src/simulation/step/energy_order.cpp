@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "rock/maintain/waiting.hpp"
+#include "rock/maintain/touched_region.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -37,7 +37,7 @@ Case divided(Case c, int parts) {
 Simulation at_window(const Case& finer, const Simulation& s, int parts) {
   State state = s.state;
   state.steps_done *= parts;
-  rock::divide_cuts(state.rock, parts);
+  rock::scale_cut_counts(state.rock, parts);
   const dynamics::DrillingState& now = s.state.drive->state;
   state.drive->ledger = {};
   state.drive->chain.ledger = {};
@@ -71,12 +71,12 @@ struct Windows {
 }  // namespace
 
 EnergyOrderPlan plan_energy_order(const Case& c) {
-  if (c.motion.kind != MotionKind::drilling || c.output.energy_order == EnergyOrderWish::off)
+  if (c.motion.kind != MotionKind::drilling || c.output.energy_order == EnergyOrderOption::off)
     return {-1, "output.energy_order is off"};
   if (wears(c.wear)) return {-1, "the bit wears"};
   const long window = c.output.energy_order_window, last = c.time.steps - window;
   const long least = least_steps_per_cost * cost_per_step * window;
-  if (c.output.energy_order == EnergyOrderWish::on && c.time.steps < least)
+  if (c.output.energy_order == EnergyOrderOption::on && c.time.steps < least)
     return {-1, fmt::format("{} steps, of a run of {}, are more than a tenth: it needs {} steps, "
                             "or output.energy_order = \"always\"",
                             cost_per_step * window, c.time.steps, least)};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/drilling/residual_order.hpp"
+#include "dynamics/drilling/energy_ledger.hpp"
 #include "simulation/step/simulation.hpp"
 
 namespace tdbd::simulation {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -12,20 +12,20 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-int freedoms_of(const ResistedMotion& m) { return static_cast<int>(m.response.free.size()); }
+int freedom_count_of(const ResistedMotion& m) { return static_cast<int>(m.response.free.size()); }
 int cones_of(const ResistedMotion& m) { return static_cast<int>(m.bit.cones.size()); }
-bool rock_moves(const ResistedMotion& m) { return freedoms_of(m) > 6 + cones_of(m); }
+bool rock_moves(const ResistedMotion& m) { return freedom_count_of(m) > 6 + cones_of(m); }
 
 void set_jacobian(const ResistedMotion& m, const CutOfPart& c,
                   Eigen::Matrix<double, 3, Eigen::Dynamic>& J) {
-  J.setZero(3, freedoms_of(m));
+  J.setZero(3, freedom_count_of(m));
   J.leftCols<3>().setIdentity();
   J.middleCols<3>(3) = -rotation::skew(c.cut.point - m.centre_W);
   if (c.cone >= 0) {
     const Pose X_WK = m.X_WB * m.bit.cones[at(c.cone)].X_BK;
     J.col(6 + c.cone) = X_WK.R.col(2).cross(c.cut.point - X_WK.p);
   }
-  if (rock_moves(m)) J(2, freedoms_of(m) - 1) = -1.0;
+  if (rock_moves(m)) J(2, freedom_count_of(m) - 1) = -1.0;
 }
 
 enum class Sums { forces, forces_and_resistances };
@@ -131,7 +131,8 @@ void take_last_step(const ResistedMotion& m, ImplicitWork& w) {
 }
 
 /// Response of a contact to a force on it in one step.
-Yield yield_of(const ResistedMotion& m, const Vec3& normal_W, std::size_t cut, ImplicitWork& w) {
+Yield contact_compliance(const ResistedMotion& m, const Vec3& normal_W, std::size_t cut,
+                         ImplicitWork& w) {
   w.yields = w.jacobians[cut].lazyProduct(m.response.A);
   const Mat3 D = w.yields.lazyProduct(w.jacobians[cut].transpose());
   return {normal_W.dot(D * normal_W), D.norm()};
@@ -172,8 +173,8 @@ void set_root(const ResistedMotion& m, ImplicitWork& w) {
 void set_penalties(double times, ImplicitWork& w) {
   for (std::size_t i = 0; i < w.pressed.size(); ++i) {
     if (!w.pressed[i]) continue;
-    w.pressed[i]->k_n = times / w.yields_of[i].normal;
-    w.pressed[i]->k_t = times / w.yields_of[i].along;
+    w.pressed[i]->k_n = times / w.compliances[i].normal;
+    w.pressed[i]->k_t = times / w.compliances[i].along;
   }
 }
 
@@ -215,9 +216,9 @@ void prepare(const ResistedMotion& m, ImplicitWork& w) {
   for (std::size_t i = 0; i < m.cuts.size(); ++i)
     if (const auto law = pressing_of(m.plan, m.cuts[i]); law && law->limit > 0.0)
       w.pressed[i] = PressedContact{*law, m.cuts[i].cut.normal, m.cuts[i].distance / m.dt};
-  w.yields_of.resize(m.cuts.size());
+  w.compliances.resize(m.cuts.size());
   for (std::size_t i = 0; i < m.cuts.size(); ++i)
-    if (w.pressed[i]) w.yields_of[i] = yield_of(m, w.pressed[i]->normal_W, i, w);
+    if (w.pressed[i]) w.compliances[i] = contact_compliance(m, w.pressed[i]->normal_W, i, w);
 }
 
 double steepness(const ResistedMotion& m, const VectorXd& u, ImplicitWork& w) {
@@ -265,12 +266,12 @@ bool weakens(const ImplicitWork& w) {
 /// them. From one solution to the next forces decrease and slips increase, so this finds the
 /// smallest slip, and a contact that can stick does. It continues if an inner search does not
 /// converge.
-bool settle_at_held_slip(const ResistedMotion& m, double close, Search& search, ImplicitWork& w) {
+bool iterate_at_fixed_slip(const ResistedMotion& m, double close, Search& search, ImplicitWork& w) {
   constexpr int most_updates = 100, most_rounds = 2000;
   for (auto& c : w.pressed)
     if (c) c->slip = 0.0;
-  bool is_settled = false;
-  for (int update = 0; update < most_updates && !is_settled && search.rounds < most_rounds;
+  bool has_converged = false;
+  for (int update = 0; update < most_updates && !has_converged && search.rounds < most_rounds;
        ++update) {
     settle(m, close, 0, search, w);
     for (std::size_t i = 0; i < m.cuts.size(); ++i)
@@ -278,11 +279,11 @@ bool settle_at_held_slip(const ResistedMotion& m, double close, Search& search, 
         const Vec3 v = w.jacobians[i].lazyProduct(w.u);
         c->slip = forces::slip_velocity(v, c->normal_W).norm();
       }
-    is_settled = residual(m, w.u, Resistance::none, Sums::forces, w) <= close;
+    has_converged = residual(m, w.u, Resistance::none, Sums::forces, w) <= close;
   }
   for (auto& c : w.pressed)
     if (c) c->slip.reset();
-  return is_settled;
+  return has_converged;
 }
 
 }  // namespace
@@ -293,9 +294,9 @@ Search find_resisted_velocity(const ResistedMotion& m, ImplicitWork& w) {
   w.rest = m.response.free;
   const double close = settled * length_in_metric(w.rest, w);
   Search search{0, false};
-  search.is_settled = !weakens(w) && settle(m, close, secant_rounds, search, w);
-  if (!search.is_settled && any_presses(w))
-    search.is_settled = settle_at_held_slip(m, close, search, w);
+  search.has_converged = !weakens(w) && settle(m, close, secant_rounds, search, w);
+  if (!search.has_converged && any_presses(w))
+    search.has_converged = iterate_at_fixed_slip(m, close, search, w);
   take_last_step(m, w);
   return search;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dynamics/drilling/response.hpp"
-#include "simulation/step/pressed_contact.hpp"
+#include "simulation/step/loads.hpp"
 
 namespace tdbd::simulation {
 
@@ -26,7 +26,7 @@ struct ResistedMotion {
 /// Statistics of the search for a velocity.
 struct Search {
   int rounds = 0;
-  bool is_settled = true;
+  bool has_converged = true;
 };
 
 /// Change of velocity of a contact in a step per unit of force on it, m/(N s): along its normal,
@@ -41,7 +41,7 @@ struct ImplicitWork {
                                                                     ///< respect to u
   std::vector<PartDrag> drags;
   std::vector<std::optional<PressedContact>> pressed;  ///< per cut, if its surface presses
-  std::vector<Yield> yields_of;                        ///< of the pressing cuts
+  std::vector<Yield> compliances;                      ///< of the pressing cuts
   Eigen::VectorXd f;                                   ///< N, N m: sum of J^T F
   Eigen::MatrixXd C;                                   ///< sum of J^T C J
   Eigen::MatrixXd root;                                ///< L: the metric of A is L L^T (prepare)

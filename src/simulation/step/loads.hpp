@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "core/types.hpp"
+#include "forces/part/directions.hpp"
 #include "simulation/step/cuts.hpp"
 
 namespace tdbd::simulation {
@@ -43,5 +46,52 @@ void add(const PartLoad& load, const bit::Bit& bit, const Pose& X_WB, const CutO
 void sum_loads(const ForcePlan& plan, const bit::Bit& bit, const Pose& X_WB,
                const BitVelocity& motion, double dt, const std::vector<CutOfPart>& cuts,
                BitLoads& loads);
+
+/// Force F of a part's law and a resistance C (N s/m), at one velocity of its point.
+struct PartDrag {
+  forces::PartForce force;
+  Mat3 resistance = Mat3::Zero();
+};
+
+/// The resistance C with F = -C v, simulation (7):
+///   C = -(F.v/v^2) I + q v^T - v q^T,   q = -(F - (F.v/v^2) v)/v^2
+/// C + C^T >= 0 for any law, because laws do no positive work. v: m/s, not 0; F: N.
+Mat3 secant_resistance(const Vec3& v, const Vec3& F);
+
+/// Kind of resistance: the secant, which reproduces the force; the tangent -dF/dv by forward
+/// differences; or none.
+enum class Resistance { secant, tangent, none };
+
+/// Speed at which laws are evaluated at rest, where they have a slope but no direction: a creep
+/// into the rock, m/s.
+inline constexpr double smallest_speed = 1e-9;
+
+/// Evaluates the law of a part at this velocity (m/s) of its point.
+PartDrag drag_of(const ForcePlan& plan, const CutOfPart& cut, const Vec3& v_W, double dt,
+                 Resistance which);
+
+/// A pressing surface (forces (4)) in a step that solves for force and velocity together, by an
+/// augmented Lagrangian, simulation (13):
+///   p = min(limit, max(0, (p' + k_n (v_n - g/h))/(1 + k_n c))),   c = ramp |v_t|/limit
+///   t = t' + k_t v_t, shortened to mu p;                  F = -p n - t
+/// g/h is the speed at which the surface returns to rock from which it has risen by g. p' and t'
+/// are the normal force and the friction of the last estimate. If the estimate does not change any
+/// more, the law is satisfied for any penalties k; they only affect the rate of convergence.
+struct PressedContact {
+  forces::Pressing law;
+  Vec3 normal_W = Vec3::Zero();
+  double free_speed = 0.0;         ///< m/s, g/h
+  double p = 0.0;                  ///< N, estimate
+  Vec3 friction_W = Vec3::Zero();  ///< N, estimate, opposite to the slip
+  double k_n = 0.0, k_t = 0.0;     ///< N s/m
+  std::optional<double> slip{};    ///< m/s, for mu and c; none: |v_t|
+};
+
+/// Force at the velocity v (m/s) of the contact relative to the rock, and its slope -dF/dv. The
+/// slope includes the dependence of friction on normal force and speed.
+PartDrag drag_of(const PressedContact& contact, const Vec3& v_W);
+
+/// Sets the estimate to the force at this velocity.
+void update_estimate(PressedContact& contact, const Vec3& v_W);
 
 }  // namespace tdbd::simulation

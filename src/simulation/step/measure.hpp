@@ -5,16 +5,91 @@
 #include <vector>
 
 #include "bit/bit.hpp"
+#include "core/types.hpp"
+#include "rock/section/column_sums.hpp"
 #include "rock/section/contact_area.hpp"
-#include "rock/section/engaged_ends.hpp"
 #include "rock/section/rubbing_contact.hpp"
 #include "rock/section/section.hpp"
+#include "rotation/screw.hpp"
 #include "simulation/case/plans.hpp"
-#include "simulation/step/face_paths.hpp"
-#include "simulation/step/move.hpp"
-#include "simulation/step/spread.hpp"
 
 namespace tdbd::simulation {
+
+/// Running mean of a number over steps, and the sum of its squared deviations from the mean
+/// (Welford's algorithm).
+struct RunningVariance {
+  long count = 0;
+  double mean = 0.0, squares = 0.0;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(count, mean, squares);
+  }
+};
+
+void add(RunningVariance& spread, double x);
+
+/// Standard deviation (divisor n); 0 without samples.
+double deviation(const RunningVariance& spread);
+
+/// Standard deviation divided by the mean; 0 if the mean is 0.
+double relative_deviation(const RunningVariance& spread);
+
+/// Motion of the bit in a step, from pose 0 to pose 1 relative to the rock.
+struct Move {
+  Pose X_WB0, X_WB1;
+  double dt = 0.0;             ///< s
+  double turn = 0.0;           ///< rad about the axis of the bit
+  std::size_t revolution = 0;  ///< revolution of the step, from 0
+};
+
+/// Velocity of the bit relative to the rock. Frame W.
+struct BitVelocity {
+  Vec3 p_WB = Vec3::Zero();         ///< m, origin of the bit
+  Vec3 v_W = Vec3::Zero();          ///< m/s, velocity of that origin
+  Vec3 w_W = Vec3::Zero();          ///< rad/s
+  std::vector<double> cone_speeds;  ///< rad/s, phi' about the Z axes of the cones
+};
+
+/// Velocity at the end of the screw motion of the step, with these speeds of the cones.
+BitVelocity velocity_of(const Move& move, std::vector<double> cone_speeds);
+
+/// Velocity of the point x_W of the bit, m/s, which belongs to this cone (-1: to the body).
+Vec3 velocity_at(const bit::Bit& bit, const Pose& X_WB, const BitVelocity& motion, int cone,
+                 const Vec3& x_W);
+
+/// Path along which the section ahead of a face is taken. The direction in which a bit at rest
+/// creeps is noise: faces would alternate between thousands of mm2 and nothing ahead of them. A
+/// creeping face is therefore measured along its last path, which is initially a rotation about the
+/// axis of the bit, and keeps its last section if there is no rock surface ahead. An addition of
+/// TDBD [+].
+struct FacePath {
+  rotation::Twist way{Vec3::UnitZ(), Vec3::Zero()};  ///< in B, with the speed of the face
+  bool creeps = false;
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(way, creeps);
+  }
+};
+
+/// One entry per cutter. If empty, all faces use the path of the step.
+using FacePaths = std::vector<FacePath>;
+
+/// Slip speed of the law of each cutter's face, m/s; 0 if there is none.
+std::vector<double> creep_speeds(const bit::Bit& bit, const ForcePlan& plan);
+
+/// Stores the path of the step for all faces that do not creep, that is, that move forward faster
+/// than `creep` (m/s, per cutter), or ten times as fast in any direction.
+void follow(const bit::Bit& bit, const Move& move, std::span<const double> creep, FacePaths& paths);
+
+inline bool creeps(const FacePaths& paths, int cutter) {
+  return !paths.empty() && paths[at(cutter)].creeps;
+}
+
+/// The path along which a face is measured, with the speed of the step.
+rotation::Twist path_of(const FacePaths& paths, const bit::Bit& bit, int cutter,
+                        const rotation::Twist& of_step);
 
 /// The faces of the cutters, prepared once for their sections. Empty if not measured.
 struct MeasuredFaces {
@@ -25,12 +100,12 @@ struct MeasuredFaces {
 
 /// Prepares the faces. The parts of a cutter are a group, whose list of near vertices also covers
 /// the region ahead of its face.
-MeasuredFaces measured_faces(const bit::Bit& bit, const rock::CuttingBit& cutting,
-                             const MeasurePlan& plan, FlatMeasure flat);
+MeasuredFaces prepare_measured_faces(const bit::Bit& bit, const rock::CuttingBit& cutting,
+                                     const MeasurePlan& plan, FlatMeasure flat);
 
 /// Whether the contact of this part's flat is measured behind the engaged edge (FlatMeasure::edge).
 /// True for the body of a worn cutter.
-bool bears_on_measured_flat(const ForcePlan& plan, const bit::Bit& bit, const bit::Part& part);
+bool has_measured_flat(const ForcePlan& plan, const bit::Bit& bit, const bit::Part& part);
 
 /// How the contact of each part is measured. If the force on the part is computed from the section
 /// ahead of a face (faces, and chamfers with ChamferMeasure::edge), whole triangles are used, which
@@ -66,8 +141,8 @@ struct PatchOfPart {
 /// Measurements of one step.
 struct Measures {
   /// Per cutter; empty if not measured. NaN if the section is rejected, because the face is deep in
-  /// rock and finds no rock surface (Sight::none), or because rock extends over its top
-  /// (Sight::over_the_top). Between its turns (MeasurePlan::section_every) a face keeps its last
+  /// rock and finds no rock surface (OutlineStatus::none), or because rock extends over its top
+  /// (OutlineStatus::over_the_top). Between its turns (MeasurePlan::section_every) a face keeps its last
   /// section.
   std::vector<rock::Section> sections;
   std::vector<std::uint8_t> is_new;         ///< per cutter: section taken in this step
@@ -92,8 +167,8 @@ void measure_cut(rock::Rock& rock, const MeasurePlan& plan, const MeasuredFaces&
 
 /// Statistics over steps for one cutter: area of the section (m2), volume that it swept and volume
 /// removed by the parts of the cutter (m3).
-struct FaceSpreads {
-  Spread area, swept, removed;
+struct FaceVariances {
+  RunningVariance area, swept, removed;
 
   template <class Archive>
   void serialize(Archive& a) {
@@ -103,9 +178,9 @@ struct FaceSpreads {
 
 /// Statistics of all sections by revolution.
 struct FaceStatistics {
-  std::vector<FaceSpreads> revolution;  ///< per cutter, current revolution
-  std::vector<FaceSpreads> last_whole;  ///< last complete revolution; empty before its end
-  std::size_t revolutions = 0;          ///< started before the current one
+  std::vector<FaceVariances> revolution;  ///< per cutter, current revolution
+  std::vector<FaceVariances> last_whole;  ///< last complete revolution; empty before its end
+  std::size_t revolutions = 0;            ///< started before the current one
   long refused_deep = 0, refused_over_the_top = 0;  ///< rejected sections (Measures::sections)
 
   template <class Archive>

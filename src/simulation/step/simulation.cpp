@@ -1,16 +1,91 @@
 #include "simulation/step/simulation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "bit/cone/swept_parts.hpp"
+#include "bit/cutter/cutter.hpp"
+#include "core/error.hpp"
 #include "simulation/start/start_check.hpp"
-#include "simulation/step/drive.hpp"
-#include "simulation/step/late_start.hpp"
 #include "simulation/step/step.hpp"
 #include "simulation/step/wear_step.hpp"
 
 namespace tdbd::simulation {
+namespace {
+
+bool rock_breaks_out_at(const Case& c, const Vec3& x_W) {
+  if (c.forces.forces == Forces::off) return true;
+  return c.spalling.beds[forces::layer_at(c.forces.rock, x_W)] != 0;
+}
+
+}  // namespace
+
+std::optional<SpallingState> start_spalling(const SpallingPlan& plan) {
+  if (!spalls(plan)) return std::nullopt;
+  SpallingState s;
+  s.ends.resize(plan.rules.size());
+  s.broken_out.resize(plan.rules.size());
+  return s;
+}
+
+std::vector<rock::Breakout> breakouts_of(const Case& c, const bit::Bit& bit,
+                                         const MeasuredFaces& faces, rock::CuttingBit& cutting) {
+  if (!spalls(c.spalling)) return {};
+  std::vector<rock::FaceOutline> outlines;
+  for (const rock::SectionFace& face : faces.faces) outlines.push_back(face.outline);
+  const double beyond_sections = list_margins_for(c.measure, c.rock.edge_length).ahead;
+  return rock::add_breakouts(bit, {c.spalling.rules, outlines, beyond_sections}, c.update.cutting,
+                             cutting);
+}
+
+void place_breakouts(const Case& c, const Pose& X_WB, const std::vector<rock::Breakout>& breakouts,
+                     const SpallingState& state, rock::CuttingBit& cutting) {
+  for (const rock::Breakout& b : breakouts) {
+    const bool breaks = rock_breaks_out_at(c, X_WB * bit::tip_B(c.bit.cutters[at(b.cutter)]));
+    rock::place_breakout(b, breaks ? state.ends[at(b.cutter)] : rock::EngagedEnds{}, cutting);
+  }
+}
+
+void follow_breakouts(const bit::Bit& bit, const rock::CutReport& cut, const Measures& measures,
+                      SpallingState& state) {
+  state.ends = measures.ends;
+  for (std::size_t p = 0; p < cut.broken_out_by_part.size(); ++p)
+    if (cut.broken_out_by_part[p] != 0.0)
+      state.broken_out[at(bit.parts[p].cutter)].add(cut.broken_out_by_part[p]);
+}
+
+double trim_height(const Case& c) {
+  if (c.rock.trim <= 0.0) return 0.0;
+  double lowest = -1e300, highest = 1e300;  // z down
+  for (const bit::Part& p : bit::swept_parts(c.bit))
+    for (const Vec3& x_P : p.mesh_P.positions) {
+      const double z_B = (p.X_BP * x_P).z();
+      lowest = std::max(lowest, z_B);
+      highest = std::min(highest, z_B);
+    }
+  constexpr double edges_of_wall = 4.0;
+  const double least = lowest - highest + edges_of_wall * c.rock.edge_length;
+  if (c.rock.trim < least)
+    throw InputError(fmt::format(
+        "{}: rock.trim: found {:.4g} mm, expected at least {:.4g} mm: the height of the cutting "
+        "parts and some edge lengths of wall",
+        c.path, 1e3 * c.rock.trim, 1e3 * least));
+  return c.rock.trim - lowest;
+}
+
+double trim(double edge_length, double plane_W, const rock::MaintenanceLimits& limits,
+            rock::Rock& rock, Trimming& trimming, rock::TrimWorkspace& work) {
+  if (plane_W < trimming.done_W + edge_length) return 0.0;
+  rock::TrimReport report;
+  rock::trim_wall(rock, trimming.done_W - 2.0 * limits.longest_edge, plane_W, work, report);
+  trimming.triangles += report.triangles;
+  trimming.done_W = plane_W;
+  return report.volume;
+}
+
 namespace {
 
 rock::MaintenanceLimits limits_of(const Case& c) {
@@ -37,7 +112,7 @@ State start_state(const Case& c, rock::Rock rock) {
   s.start_turned = s.place.turned;
   s.cones = start_cones(c);
   s.rock = std::move(rock);
-  require_free_start(c, s.rock.surface);
+  require_start_outside_rock(c, s.rock.surface);
   s.start_triangles = s.rock.surface.triangle_count();
   s.ledger.hole_start = mesh::hole_volume(s.rock.surface, Vec3::Zero());
   s.ledger.removed_by_part.resize(c.bit.parts.size());
@@ -54,7 +129,7 @@ void prepare_parts(const Case& c, const State& state, const bit::Bit& bit, rock:
                    Work& work) {
   work.cutting = std::move(cutting);
   rock::turn_cones(work.cutting, c.bit, angles_of(state.cones), angles_of(state.cones));
-  work.faces = measured_faces(bit, work.cutting, c.measure, c.forces.flat);
+  work.faces = prepare_measured_faces(bit, work.cutting, c.measure, c.forces.flat);
   work.breakouts = breakouts_of(c, bit, work.faces, work.cutting);
   work.rubbing = rubbing_parts(bit, c.forces, state.rock.grid.cell());
 }
@@ -65,7 +140,7 @@ Work start_work(const Case& c, const State& state, rock::CuttingBit cutting) {
   w.trim_height = trim_height(c);
   prepare_parts(c, state, state.started.empty() ? c.bit : started_bit(c.bit, state.started),
                 std::move(cutting), w);
-  w.waits = any_waits(c.bit, state.started) ? Waits::some : Waits::none;
+  w.waits = any_part_waits(c.bit, state.started) ? Waits::some : Waits::none;
   w.cut_work.most_passes = c.update.most_passes;
   if (!w.faces.faces.empty())
     w.cut_work.list_margins = list_margins_for(c.measure, c.rock.edge_length);
@@ -73,7 +148,7 @@ Work start_work(const Case& c, const State& state, rock::CuttingBit cutting) {
     w.cut_work.contact_gap = c.measure.contact_gap * c.rock.edge_length;
   w.measures.sections = state.sections;
   if (state.spalling) w.measures.ends = state.spalling->ends;
-  w.creep = creep_of_faces(c.bit, c.forces);
+  w.creep = creep_speeds(c.bit, c.forces);
   w.contacts = contacts_of(c.bit, c.forces);
   if (state.drive) w.drive = dynamics::drilling_work(c.drilling.system, *state.drive);
   return w;

@@ -8,21 +8,72 @@
 #include "dynamics/drilling/drilling_step.hpp"
 #include "rock/cut/cut_rock.hpp"
 #include "rock/maintain/maintain.hpp"
-#include "rock/maintain/renumber.hpp"
+#include "rock/maintain/trim.hpp"
+#include "rock/rock.hpp"
 #include "rock/section/rubbing_contact.hpp"
+#include "rock/start/space_order.hpp"
 #include "simulation/case/case.hpp"
 #include "simulation/case/motion.hpp"
 #include "simulation/start/rock_start.hpp"
-#include "simulation/step/cone_motion.hpp"
 #include "simulation/step/diagnosis.hpp"
+#include "simulation/step/drive.hpp"
+#include "simulation/step/implicit_step.hpp"
 #include "simulation/step/load_figures.hpp"
 #include "simulation/step/measure.hpp"
-#include "simulation/step/spalling.hpp"
-#include "simulation/step/standing.hpp"
-#include "simulation/step/trimming.hpp"
 #include "simulation/step/wear.hpp"
 
 namespace tdbd::simulation {
+
+/// State of spalling, sufficient for a restart.
+struct SpallingState {
+  std::vector<rock::EngagedEnds> ends;     ///< per cutter, from the last section of its face
+  std::vector<CompensatedSum> broken_out;  ///< m3, per cutter, part of its removed volume
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(ends, broken_out);
+  }
+};
+
+/// Nothing if no rock breaks out in the case.
+std::optional<SpallingState> start_spalling(const SpallingPlan& plan);
+
+/// Adds the bodies that break out rock around the faces to the cutting bit, and returns them. Empty
+/// if no rock breaks out.
+std::vector<rock::Breakout> breakouts_of(const Case& c, const bit::Bit& bit,
+                                         const MeasuredFaces& faces, rock::CuttingBit& cutting);
+
+/// Called before a cut: places the start of cracks at the ends of the engaged edges in the last
+/// sections, unless the rock at the tip of the face does not break out. `X_WB` is the pose of the
+/// bit relative to the rock.
+void place_breakouts(const Case& c, const Pose& X_WB, const std::vector<rock::Breakout>& breakouts,
+                     const SpallingState& state, rock::CuttingBit& cutting);
+
+/// Called after a cut and its measurements: stores the broken-out volume and where the next cracks
+/// start.
+void follow_breakouts(const bit::Bit& bit, const rock::CutReport& cut, const Measures& measures,
+                      SpallingState& state);
+
+/// Progress of trimming the wall above the bit (rock.trim).
+struct Trimming {
+  double done_W = -1e300;  ///< m: z of the last plane
+  long triangles = 0;      ///< removed
+
+  template <class Archive>
+  void serialize(Archive& a) {
+    a(done_W, triangles);
+  }
+};
+
+/// Height of the trimming plane above the origin of the bit, m; 0 if the case does not trim. All
+/// cutting parts are below it. Throws InputError if rock.trim is smaller than the height of the bit
+/// plus some edge lengths of wall.
+double trim_height(const Case& c);
+
+/// Trims above the plane at this z (m) if it has moved down by at least an edge length (m) since
+/// the last time. Returns the volume of the hole that was removed with the wall, m3.
+double trim(double edge_length, double plane_W, const rock::MaintenanceLimits& limits,
+            rock::Rock& rock, Trimming& trimming, rock::TrimWorkspace& work);
 
 /// Volume balance of the rock, simulation (6). Volumes in m3.
 struct VolumeLedger {
@@ -66,7 +117,7 @@ struct State {
   }
 };
 
-/// Whether parts of the bit are still waiting for their start (late_start.hpp).
+/// Whether parts of the bit are still waiting for their start (step.hpp).
 enum class Waits { none, some };
 
 /// Derived data of a wearing bit (wear_step.hpp).
@@ -75,7 +126,8 @@ struct WearWork {
   std::vector<bit::WearSolid> solids;  ///< the pieces that wear, of the bit of the case
   std::vector<int> piece_of_part;      ///< per part: index into `solids`, or -1
   std::vector<bit::WearFlat> flats;    ///< per piece
-  std::vector<WornOff> due;  ///< per piece: limits of the wear, of either kind, before a wear step
+  std::vector<WearAmount>
+      due;  ///< per piece: limits of the wear, of either kind, before a wear step
 };
 
 /// Data of a step that is not part of the state. It can be recomputed from the case and the state
@@ -88,7 +140,7 @@ struct Work {
   MeasuredFaces faces;       ///< the prepared faces of the cutters
   std::vector<rock::Breakout> breakouts;      ///< of `cutting`
   std::vector<rock::ContactOfPart> contacts;  ///< per part: how contacts are measured
-  std::vector<double> creep;                  ///< m/s, per cutter: see creep_of_faces
+  std::vector<double> creep;                  ///< m/s, per cutter: see creep_speeds
   std::vector<rock::RubbingPart> rubbing;     ///< the rubbing parts that have a law
   Waits waits = Waits::none;
   std::optional<WearWork> wear;  ///< used if the bit wears
@@ -98,7 +150,7 @@ struct Work {
   BitVelocity velocity;         ///< relative to the rock, at which the force laws were evaluated
   BitLoads loads;               ///< about the origin of the bit
   StepRates rates;              ///< progress of the bit
-  Standing standing;            ///< whether the loads were computed implicitly
+  ImplicitOutcome standing;     ///< whether the loads were computed implicitly
   // Buffers.
   rock::CutWorkspace cut_work;
   rock::MaintenanceWorkspace maintenance_work;
@@ -107,7 +159,7 @@ struct Work {
   MeasureWork measure_work;
   PerThread<rock::RubbingWork> rubbing_work;
   std::vector<std::vector<rock::ContactPatch>> rubbing_patches;  ///< per rubbing part
-  StandingWork standing_work;
+  ImplicitStepWork standing_work;
   dynamics::DrillingWork drive;
   dynamics::Drilling drive_before;  ///< motion before the current step
 };
@@ -119,7 +171,7 @@ struct Statistics {
   LoadStatistics loads;
   std::vector<double> energy_by_part;  ///< J, power times step, since the start
   Trace trace;
-  StandingStatistics standing;
+  ImplicitStatistics standing;
   WearRecords wear;
   long node_steps_at_rest = 0;  ///< for a chained string: sum over steps of the nodes at rest
 

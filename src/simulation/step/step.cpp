@@ -1,18 +1,95 @@
 #include "simulation/step/step.hpp"
 
+#include <fmt/format.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "bit/cone/part_pose.hpp"
+#include "bit/cone/cone_bit.hpp"
 #include "core/error.hpp"
-#include "dynamics/drilling/divergence.hpp"
+#include "core/text.hpp"
+#include "dynamics/drilling/stability.hpp"
+#include "rock/cut/cut_rock.hpp"
+#include "simulation/start/start_check.hpp"
 #include "simulation/step/drive.hpp"
-#include "simulation/step/late_start.hpp"
 #include "simulation/step/wear_step.hpp"
 
 namespace tdbd::simulation {
+namespace {
+
+/// z of the origin of the bit at the start of its motion, m.
+double depth_at_begin(const Case& c) {
+  const Place place = c.motion.kind == MotionKind::drilling
+                          ? place_of(c.drilling.system, start_drive(c).state)
+                          : place_at(c.motion, 0.0);
+  return over_rock(place).p.z();
+}
+
+/// The flats are those of the last wear step.
+bool has_worn(const bit::Bit& bit, const WearState& wear, const bit::LateStart& start) {
+  return std::ranges::any_of(bit.parts, [&](const bit::Part& part) {
+    return part.cutter >= 0 && wear.pieces[at(part.cutter)].height >= start.from &&
+           fits(start.worn_names, part.name);
+  });
+}
+
+bool is_due(const Case& c, const State& state, const bit::LateStart& start) {
+  constexpr double middle = 0.5;  // of the step, so that rounding of times does not matter
+  if (start.event == bit::StartEvent::wear) return has_worn(c.bit, *state.wear, start);
+  if (start.event == bit::StartEvent::time)
+    return time_at(c.time, state.steps_done) + middle * c.time.step > start.from;
+  return over_rock(state.place).p.z() - depth_at_begin(c) >= start.from;
+}
+
+Vec3 middle_P(const bit::Part& part) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& x_P : part.mesh_P.positions) sum += x_P;
+  return sum / static_cast<double>(part.mesh_P.positions.size());
+}
+
+void require_outside(const Case& c, const State& state, const bit::Part& part) {
+  const Pose X_WP = over_rock(state.place) * bit::part_pose(c.bit, part, angles_of(state.cones));
+  const double cover = rock_height_above(state.rock.surface, X_WP * middle_P(part));
+  if (cover > 0.0)
+    throw RunError(fmt::format(
+        "the middle of {} is {:.3f} mm below the rock's surface after {:g} s, when it starts to "
+        "cut; rock can leave a part only if its middle is outside of it",
+        part.name, 1e3 * cover, time_at(c.time, state.steps_done)));
+}
+
+}  // namespace
+
+bit::Bit started_bit(bit::Bit bit, const std::vector<std::uint8_t>& started) {
+  for (std::size_t i = 0; i < started.size(); ++i)
+    if (started[i] != 0 && bit.parts[i].start) bit.parts[i].cutting = bit.parts[i].start->then;
+  return bit;
+}
+
+bool any_part_waits(const bit::Bit& bit, const std::vector<std::uint8_t>& started) {
+  for (std::size_t i = 0; i < started.size(); ++i)
+    if (started[i] == 0 && bit.parts[i].start) return true;
+  return false;
+}
+
+void start_due_parts(const Case& c, State& state, Work& work) {
+  bool any = false;
+  for (std::size_t i = 0; i < state.started.size(); ++i) {
+    const bit::Part& part = c.bit.parts[i];
+    if (!part.start || state.started[i] != 0 || !is_due(c, state, *part.start)) continue;
+    if (part.start->then == bit::Cutting::cuts) require_outside(c, state, part);
+    state.started[i] = 1;
+    any = true;
+  }
+  if (!any) return;
+  state.rock.near_lists.clear();  // they are stored per group of cutting parts
+  const bit::Bit now = started_bit(c.bit, state.started);
+  prepare_parts(c, state, now, rock::prepare_cutting_bit(now, c.update.cutting), work);
+  rock::reassign_residues(state.rock, work.cutting);
+  work.waits = any_part_waits(c.bit, state.started) ? Waits::some : Waits::none;
+}
+
 namespace {
 
 /// Number of the revolution between two positions; the middle decides.
@@ -29,7 +106,7 @@ Place next_place(const Case& c, State& state, Work& work) {
   return place_of(c.drilling.system, state.drive->state);
 }
 
-void note_removed(std::size_t revolution, const rock::CutReport& cut, VolumeLedger& l) {
+void add_to_volume_ledger(std::size_t revolution, const rock::CutReport& cut, VolumeLedger& l) {
   const std::size_t parts = cut.removed_by_part.size();
   if (l.removed_by_revolution.size() <= revolution)
     l.removed_by_revolution.resize(revolution + 1, std::vector<double>(parts, 0.0));
@@ -51,7 +128,7 @@ MeasuredStep measured(const Case& c, const Move& move, const State& state, const
 /// Removes the component of a patch's normal along the rotation. On the leading and trailing sides
 /// of a rubbing body there is rock inside it only because of the helical advance; this must not
 /// change its contact force.
-rock::ContactPatch facing_the_advance(rock::ContactPatch patch, const Pose& X_WB) {
+rock::ContactPatch without_rotational_normal(rock::ContactPatch patch, const Pose& X_WB) {
   const Vec3 axis_W = X_WB.R.col(2), around_W = axis_W.cross(patch.centroid_W - X_WB.p);
   const double length2 = around_W.squaredNorm();
   if (length2 > 0.0) patch.area_vector_W -= patch.area_vector_W.dot(around_W) / length2 * around_W;
@@ -125,7 +202,7 @@ Move drift(const Case& c, State& state, Work& work) {
 
 void cut(const Move& move, State& state, Work& work) {
   rock::cut_rock(state.rock, work.cutting, move.X_WB0, move.X_WB1, work.cut_work, state.cut);
-  note_removed(move.revolution, state.cut, state.ledger);
+  add_to_volume_ledger(move.revolution, state.cut, state.ledger);
 }
 
 void measure(const Case& c, const Move& move, State& state, Work& work) {
@@ -149,17 +226,17 @@ void measure_rubbing(const Case& c, const Pose& X_WB, const State& state, Work& 
     // Isolated: otherwise a thread that waits within one part could start another part with the
     // same buffer.
     tbb::this_task_arena::isolate([&] {
-      rock::RubbingWork& room = work.rubbing_work.local();
+      rock::RubbingWork& scratch = work.rubbing_work.local();
       work.measures.contacts[at(rubbing.part)].below =
-          rock::rubbing_contact(state.rock, rubbing, X_WP, edge, work.cut_work, room);
-      work.rubbing_patches[at(i)] = room.patches;
+          rock::rubbing_contact(state.rock, rubbing, X_WP, edge, work.cut_work, scratch);
+      work.rubbing_patches[at(i)] = scratch.patches;
     });
   });
   for (std::size_t i = 0; i < work.rubbing.size(); ++i)
     for (const rock::ContactPatch& patch : work.rubbing_patches[i]) {
       const int part = work.rubbing[i].part;
       work.measures.patches.push_back(
-          {part, c.bit.parts[at(part)].cone < 0 ? facing_the_advance(patch, X_WB) : patch});
+          {part, c.bit.parts[at(part)].cone < 0 ? without_rotational_normal(patch, X_WB) : patch});
     }
 }
 
@@ -168,9 +245,9 @@ void apply_forces(const Case& c, const Move& move, const State& state, Work& wor
   gather_cuts(c.forces, measured(c, move, state, work), work.measures, work.cuts);
   work.standing = {};
   if (state.drive)
-    work.standing = stand({c, move.X_WB1, move.dt, *state.drive, work.cuts}, work.drive,
-                          work.standing_work, work.loads, work.velocity);
-  if (work.standing.stands) return;
+    work.standing = solve_implicitly({c, move.X_WB1, move.dt, *state.drive, work.cuts}, work.drive,
+                                     work.standing_work, work.loads, work.velocity);
+  if (work.standing.is_implicit) return;
   work.velocity = state.drive ? predicted_velocity(c, move, state, work)
                               : velocity_of(move, speeds_of(state.cones));
   sum_loads(c.forces, c.bit, move.X_WB1, work.velocity, move.dt, work.cuts, work.loads);

@@ -23,14 +23,15 @@ double extrapolated(double window, double previous, double ratio) {
 
 }  // namespace
 
-WornOff worn_after(const WearState& s, const PieceWear& c, const WornOff& window, double time) {
+WearAmount worn_after(const WearState& s, const PieceWear& c, const WearAmount& window,
+                      double time) {
   const double ratio = s.previous_time > 0.0 ? time / s.previous_time : 0.0;
   return {extrapolated(window.volume, c.previous.volume, ratio),
           extrapolated(window.height, c.previous.height, ratio)};
 }
 
 std::optional<bit::WearFlat> flat_after(const bit::WearSolid& solid, const PieceWear& c,
-                                        const WornOff& worn) {
+                                        const WearAmount& worn) {
   double volume = c.volume + worn.volume;
   if (worn.height > 0.0) {
     const auto half = bit::flat_of_volume(solid, c.volume + 0.5 * worn.volume, c.height);

@@ -16,7 +16,7 @@ struct WearEnd : RunError {
 
 /// Wear over some time. The loss of a bearing flat is given as a height: under a steady stress the
 /// height decreases uniformly, independent of the size of the flat.
-struct WornOff {
+struct WearAmount {
   double volume = 0.0;  ///< m3, on the rest of the piece
   double height = 0.0;  ///< m: volume over the area of the flat
 
@@ -28,11 +28,11 @@ struct WornOff {
 
 /// The wear of a piece of the bit in a run: a cutter, a tooth or a gage pad (bit::WearSolid).
 struct PieceWear {
-  double volume = 0.0;  ///< m3, worn in the run, removed from the meshes
-  double height = 0.0;  ///< m, of the flat for this volume (WearFlat)
-  WornOff window{};     ///< rate times time since the last wear step
-  WornOff previous{};   ///< the same for the previous window
-  WornOff last{};       ///< of the last time step
+  double volume = 0.0;    ///< m3, worn in the run, removed from the meshes
+  double height = 0.0;    ///< m, of the flat for this volume (WearFlat)
+  WearAmount window{};    ///< rate times time since the last wear step
+  WearAmount previous{};  ///< the same for the previous window
+  WearAmount last{};      ///< of the last time step
 
   template <class Archive>
   void serialize(Archive& a) {
@@ -76,12 +76,13 @@ struct WearState {
 /// Extrapolated wear over a window of `time` (s). `window` is the wear computed at the geometry of
 /// its start. Uses the second-order Adams-Bashforth method for windows of variable length,
 /// simulation (14), and Euler's method for the first window. Never negative.
-WornOff worn_after(const WearState& s, const PieceWear& c, const WornOff& window, double time);
+WearAmount worn_after(const WearState& s, const PieceWear& c, const WearAmount& window,
+                      double time);
 
 /// The flat of a piece after this wear: half of the volume, then the height, then the other half,
 /// which is second-order accurate. Nothing if the flat would be as large as the piece.
 std::optional<bit::WearFlat> flat_after(const bit::WearSolid& solid, const PieceWear& c,
-                                        const WornOff& worn);
+                                        const WearAmount& worn);
 
 /// A wear step: closes the window, computes the flat for the volume of each piece, and starts the
 /// next window. `flats` are those of the bit before and after the step. Throws WearEnd if a flat

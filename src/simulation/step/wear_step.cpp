@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "bit/bit.hpp"
 #include "bit/cone/cone_measures.hpp"
-#include "bit/mass_properties.hpp"
-#include "dynamics/momenta.hpp"
+#include "dynamics/gyrostat.hpp"
 #include "simulation/step/drive.hpp"
-#include "simulation/step/late_start.hpp"
+#include "simulation/step/step.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -34,12 +34,12 @@ void limit_growth(const WearPlan& plan, const WearState& s, WearWork& w) {
 
 /// Whether the next step could make a flat too large if it wears at most twice as much as the last
 /// one. The flat grows with its height, so the shares of both kinds of wear may be added.
-bool may_grow_too_far(const WearState& s, const WearWork& w) {
+bool next_step_may_exceed_growth(const WearState& s, const WearWork& w) {
   constexpr double care = 2.0;
   const double step = s.window_time / static_cast<double>(s.window_steps);
   for (std::size_t i = 0; i < s.pieces.size(); ++i) {
     const PieceWear& c = s.pieces[i];
-    const WornOff ahead = worn_after(
+    const WearAmount ahead = worn_after(
         s, c, {c.window.volume + care * c.last.volume, c.window.height + care * c.last.height},
         s.window_time + step);
     if (ahead.volume / w.due[i].volume + ahead.height / w.due[i].height > 1.0) return true;
@@ -50,7 +50,7 @@ bool may_grow_too_far(const WearState& s, const WearWork& w) {
 bool is_wear_due(const WearPlan& plan, const WearState& s, const WearWork& w) {
   if (s.window_steps == 0) return false;
   return (plan.every_steps > 0 && s.window_steps >= plan.every_steps) ||
-         (plan.every > 0.0 && s.window_distance >= plan.every) || may_grow_too_far(s, w);
+         (plan.every > 0.0 && s.window_distance >= plan.every) || next_step_may_exceed_growth(s, w);
 }
 
 void require_slow_growth(const WearPlan& plan, const WearState& s, const WearWork& w) {
@@ -162,7 +162,7 @@ std::vector<double> part_speeds(const bit::Bit& bit, const Pose& X_WB, const Wor
 /// Share of a part's wear that its bearing flat loses.
 double flat_share(const Case& c, std::size_t part, const Work& work, const Rubbing& r) {
   const bit::Part& p = c.bit.parts[part];
-  if (!bears_on_measured_flat(c.forces, c.bit, p) || !(r.body_area > 0.0)) return 0.0;
+  if (!has_measured_flat(c.forces, c.bit, p) || !(r.body_area > 0.0)) return 0.0;
   const double area = work.measures.sections[at(p.cutter)].flat_area;
   return area > 0.0 ? std::min(1.0, area / r.body_area) : 0.0;
 }

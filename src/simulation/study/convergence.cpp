@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/nearest_name.hpp"
+#include "core/text.hpp"
 #include "simulation/case/case.hpp"
 #include "simulation/rotate/rotate_case.hpp"
 

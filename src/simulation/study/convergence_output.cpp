@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "core/error.hpp"
 #include "io/whole_file.hpp"
 #include "simulation/result/summary.hpp"
 
@@ -149,7 +150,7 @@ std::string to_json(const Convergence& c) {
                    {"floor", order_floor},
                    {"floor_per_step", order_rounding_per_step},
                    {"exact_below_floor_times", order_exact},
-                   {"settled_within", order_settled},
+                   {"settled_within", order_scatter_limit},
                    {"levels", levels_json(c)},
                    {"variables", variables}});
   return json.dump(2) + "\n";
@@ -168,6 +169,36 @@ std::string to_csv(const Convergence& c) {
 void write_convergence(const std::filesystem::path& folder, const Convergence& c) {
   write_text(folder / "convergence.csv", to_csv(c));
   write_text(folder / "convergence.json", to_json(c));
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The inputs of a study. The reference is one of them, so that the study cannot overwrite it.
+std::vector<std::string> inputs_of(const ConvergencePlace& place, const ConvergenceStart& start) {
+  std::vector<std::string> inputs = start.files;
+  if (!place.reference.empty())
+    inputs.push_back(fs::is_directory(place.reference) ? fs::path(place.reference) / "summary.json"
+                                                       : fs::path(place.reference));
+  return inputs;
+}
+
+}  // namespace
+
+Convergence converge_into(const ConvergencePlace& place, const ConvergencePlan& plan,
+                          const ConvergenceOptions& options) {
+  const ConvergenceStart start = check(plan);
+  const OutputFolder folder =
+      prepare(place.folder, place.overwrite, inputs_of(place, start), ResultKind::convergence);
+  try {
+    Convergence c = converge(plan, options);
+    write_convergence(folder.path, c);
+    return c;
+  } catch (const RunError& e) {
+    write_text(folder.failure(), fmt::format("{}\n", e.what()));
+    throw;
+  }
 }
 
 }  // namespace tdbd::simulation

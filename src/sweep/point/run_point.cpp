@@ -13,14 +13,11 @@
 
 #include "bit/files/bit_file.hpp"
 #include "bit/profile/bit_analysis.hpp"
-#include "bit/profile/counted_cutters.hpp"
-#include "bit/profile/engagement.hpp"
 #include "bit/report/bit_report.hpp"
 #include "calibration/result/calibration_files.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
-#include "core/nearest_name.hpp"
-#include "core/reason.hpp"
+#include "core/text.hpp"
 #include "simulation/result/run.hpp"
 #include "simulation/rotate/rotate_case.hpp"
 #include "simulation/rotate/rotate_record.hpp"
@@ -67,14 +64,14 @@ void stop_if(sim::RunStatus status) {
 /// Does the same as `tdbd run`, without its files.
 Summary drill(const Design& d, const Words& overrides, PointSurroundings& around) {
   const sim::Case c = read_case(d.case_file, overrides, around.starts);
-  sim::Simulation s = start(c, around.starts, std::move(around.room));
+  sim::Simulation s = start(c, around.starts, std::move(around.reused_bit));
   sim::DrillingSteps steps(c, s, sim::plan_energy_order(c));
   sim::RunOptions options;
   options.interrupted = around.interrupted;
   stop_if(sim::run_loop(steps, options));
   sim::RunSummary summary = sim::summary_of(c, s, sim::RunStatus::completed);
   if (summary.drive) summary.drive->order = steps.order;
-  around.room = std::move(s.work.cutting);
+  around.reused_bit = std::move(s.work.cutting);
   return {c.hash, sim::to_json(summary)};
 }
 
@@ -171,7 +168,7 @@ std::vector<double> figures_of(const Json& summary, const std::vector<std::strin
 
 nlohmann::ordered_json planar_summary(const simulation::Case& c, double normal_ratio) {
   const simulation::Motion& m = c.motion;
-  if (bit::counted_cutters(c.bit).empty())
+  if (bit::cutting_at_start(c.bit).empty())
     throw InputError(
         "bit.file: found a bit without cutters that cut from the start, expected one that the "
         "planar model knows");
@@ -180,7 +177,7 @@ nlohmann::ordered_json planar_summary(const simulation::Case& c, double normal_r
         "motion: found no advance per revolution, expected a rotary speed and a rate of "
         "penetration");
   const double advance = 2.0 * std::numbers::pi * m.rate_of_penetration / m.rotary_speed;
-  const std::vector<bit::Cutter> cutters = bit::cutters_at(c.bit, bit::counted_cutters(c.bit));
+  const std::vector<bit::Cutter> cutters = bit::cutters_at(c.bit, bit::cutting_at_start(c.bit));
   const bit::Engagement e = bit::engagement(cutters, advance, bit::report_column_width);
   return {{"advance_m", advance},
           {"imbalance", bit::planar_imbalance(cutters, e.area, normal_ratio)},
@@ -202,7 +199,7 @@ PointOutcome run_point(const Design& d, const Words& overrides, PointSurrounding
   } catch (const std::exception& e) {
     outcome.status = PointStatus::failed;
     outcome.lacks_figures = ended;
-    outcome.message = from_folder(d, reason_of(e));
+    outcome.message = from_folder(d, error_message_of(e));
     outcome.figures.assign(d.figures.size(), std::numeric_limits<double>::quiet_NaN());
   }
   return outcome;

@@ -28,8 +28,8 @@ struct PointOutcome {
 struct PointSurroundings {
   std::filesystem::path cuts;  ///< folder in which a calibration keeps its cut runs
   const std::atomic<bool>* interrupted;
-  Starts& starts;              ///< shared by all threads
-  rock::CuttingBit room = {};  ///< memory of the last point, to be reused
+  Starts& starts;                    ///< shared by all threads
+  rock::CuttingBit reused_bit = {};  ///< memory of the last point, to be reused
 };
 
 /// Runs the design's command on its case with these overrides, in memory. The figures are bitwise

@@ -45,14 +45,14 @@ sim::Case read_case(const std::string& path, const std::vector<std::string>& ove
   return sim::read_case(path, overrides, reader);
 }
 
-sim::Simulation start(const sim::Case& c, Starts& kept, rock::CuttingBit room) {
+sim::Simulation start(const sim::Case& c, Starts& kept, rock::CuttingBit reused_bit) {
   const auto bit = kept.bits.get(
       c.bit_hash, [&] { return rock::prepare_cutting_bit(c.bit, c.update.cutting); },
       one<rock::CuttingBit>);
   const auto surface = kept.surfaces.get(
       sim::start_surface_key(c), [&] { return sim::start_surface(c); }, triangles);
-  room = *bit;
-  return sim::start(c, std::move(room), *surface);
+  reused_bit = *bit;
+  return sim::start(c, std::move(reused_bit), *surface);
 }
 
 }  // namespace tdbd::sweep

@@ -71,8 +71,8 @@ struct Starts {
 simulation::Case read_case(const std::string& path, const std::vector<std::string>& overrides,
                            Starts& kept);
 
-/// Does the same as simulation::start, with bitwise identical results. `room`: a bit that is
+/// Does the same as simulation::start, with bitwise identical results. `reused_bit`: a bit that is
 /// overwritten, so that its memory is reused.
-simulation::Simulation start(const simulation::Case& c, Starts& kept, rock::CuttingBit room);
+simulation::Simulation start(const simulation::Case& c, Starts& kept, rock::CuttingBit reused_bit);
 
 }  // namespace tdbd::sweep

@@ -10,13 +10,13 @@
 #include <numbers>
 
 #include "bit/areas/area_rules.hpp"
+#include "bit/bit.hpp"
 #include "bit/files/bit_export.hpp"
 #include "bit/files/bit_reading.hpp"
 #include "bit/files/mesh_bit.hpp"
-#include "bit/mass_properties.hpp"
-#include "bit/profile/counted_cutters.hpp"
-#include "bit/report/area_report.hpp"
+#include "bit/profile/bit_analysis.hpp"
 #include "bit/report/bit_report.hpp"
+#include "bit/report/body_report.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::bit::bit_areas_test {
@@ -202,8 +202,8 @@ TEST(BitAreas, leave_what_does_not_cut_from_the_start_out_of_the_analysis) {
                               "off3={zone='gage', kind='cutter-body'}", "off3.removal.cutting=no",
                               "pads={kind='gage-pad'}", "pads.removal.cutting=no",
                               "late={names='cutter-3/*'}", "late.removal.from_depth='1 m'"});
-  const std::vector<int> counted = counted_cutters(bit);
-  EXPECT_EQ(counted_cutters(plain).size(), plain.cutters.size());
+  const std::vector<int> counted = cutting_at_start(bit);
+  EXPECT_EQ(cutting_at_start(plain).size(), plain.cutters.size());
   for (std::size_t i = 0; i < bit.cutters.size(); ++i)
     EXPECT_EQ(std::ranges::binary_search(counted, static_cast<int>(i)),
               bit.cutters[i].zone != "gage" && bit.cutters[i].id != 3)

@@ -3,16 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "bit/body/blade_body.hpp"
-#include "bit/body/body_overlap.hpp"
-#include "bit/body/enclosed_parts.hpp"
 #include "bit/body/rubbing.hpp"
-#include "bit/cutter/rim_reach.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "bit/generate.hpp"
 #include "bit/generate_design.hpp"
 #include "bit/surface_of_revolution.hpp"
 #include "mesh/measures.hpp"
-#include "mesh/search/inside.hpp"
-#include "mesh/shape/clip_convex.hpp"
+#include "mesh/search/triangle_tree.hpp"
 #include "mesh/shape/convex.hpp"
 
 namespace tdbd::bit::bit_body_test {
@@ -85,7 +82,7 @@ RC_GTEST_PROP(BodyOverlap, of_convex_solids_is_what_their_planes_leave, ()) {
 Bit bladed() {
   PdcOptions options;
   options.blades = BladeOptions{};
-  return pdc_bit("plain", lay_out(plain_design()).cutters, options);
+  return pdc_bit("plain", make_layout(plain_design()).cutters, options);
 }
 
 /// A body without density has its volume counted elsewhere: nothing is to be taken from it.
@@ -274,7 +271,7 @@ double swept_clearance(const std::vector<Cutter>& cutters, const Vec3& x_B, doub
 }
 
 TEST(Rubbing, is_what_points_of_turning_rims_leave) {
-  const std::vector<Cutter> cutters = lay_out(plain_design()).cutters;
+  const std::vector<Cutter> cutters = make_layout(plain_design()).cutters;
   for (const double r : {20e-3, 45e-3, 66e-3, 80e-3})
     for (const double azimuth : {0.3, 1.9, 4.0}) {
       const Vec3 x(r * std::cos(azimuth), r * std::sin(azimuth), -0.02);

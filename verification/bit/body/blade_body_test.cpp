@@ -7,13 +7,13 @@
 #include <array>
 #include <cmath>
 
-#include "bit/cutter/cutter_frame.hpp"
+#include "bit/bit.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "bit/generate_design.hpp"
-#include "bit/mass_properties.hpp"
 #include "core/observed_order.hpp"
 #include "mesh/check/check.hpp"
 #include "mesh/measures.hpp"
-#include "mesh/search/inside.hpp"
+#include "mesh/search/triangle_tree.hpp"
 #include "reference/mesh/self_intersections.hpp"
 
 namespace tdbd::bit::blade_body_test {
@@ -47,7 +47,7 @@ Bladed any_bladed() {
 
 Part body_of(const Bladed& b) { return blade_body(b.cutters, b.options, b.gage_radius); }
 
-Bladed plain() { return {lay_out(plain_design()).cutters, {}, 107.95e-3}; }
+Bladed plain() { return {make_layout(plain_design()).cutters, {}, 107.95e-3}; }
 
 RC_GTEST_PROP(BladeBody, is_closed_oriented_and_does_not_intersect_itself, ()) {
   const mesh::TriangleMesh m = body_of(any_bladed()).mesh_P;
@@ -144,7 +144,7 @@ TEST(BladeBody, has_a_volume_that_converges_with_order_2) {
   Bladed spiral = plain();
   PdcDesign d = plain_design();
   d.spiral = 15 * degree;
-  spiral.cutters = lay_out(d).cutters;
+  spiral.cutters = make_layout(d).cutters;
   expect_order_2(spiral);
 }
 
@@ -232,7 +232,7 @@ namespace tdbd::bit::blade_problems_test {
 
 constexpr double gage_radius = 107.95e-3;  ///< m
 
-std::vector<Cutter> plain() { return lay_out(plain_design()).cutters; }
+std::vector<Cutter> plain() { return make_layout(plain_design()).cutters; }
 
 /// All problems, "key: found, expected" each on a line.
 std::string problems_of(const std::vector<Cutter>& cutters, const BladeOptions& options,

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "bit/cutter/cutter_frame.hpp"
-#include "core/angles.hpp"
+#include "bit/cutter/cutter.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::bit::blade_shape_test {
 

@@ -2,13 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "bit/cone/cone_frame.hpp"
 #include "bit/cone/cone_interference.hpp"
 #include "bit/cone/cone_measures.hpp"
 #include "bit/cone/cone_parts.hpp"
-#include "bit/cone/cone_reach.hpp"
-#include "bit/cone/cone_shell.hpp"
-#include "bit/cone/part_pose.hpp"
 #include "bit/cone_generate.hpp"
 #include "core/error.hpp"
 #include "mesh/check/check.hpp"

@@ -1,12 +1,9 @@
-#include "bit/cone/cone_frame.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "bit/cone/cone_bit.hpp"
-#include "bit/cone/cone_reach.hpp"
-#include "bit/cone/part_pose.hpp"
+#include "bit/cone/cone_measures.hpp"
 #include "bit/cone/swept_parts.hpp"
 #include "bit/cone_generate.hpp"
 #include "bit/files/bit_reading.hpp"

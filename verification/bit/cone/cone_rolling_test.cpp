@@ -1,21 +1,16 @@
-#include "bit/cone/cone_rolling.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <complex>
 
-#include "bit/cone/cone_assumptions.hpp"
+#include "bit/bit.hpp"
 #include "bit/cone/cone_bit.hpp"
-#include "bit/cone/cone_frame.hpp"
 #include "bit/cone/cone_measures.hpp"
 #include "bit/cone/cone_parts.hpp"
-#include "bit/cone/part_pose.hpp"
 #include "bit/cone_generate.hpp"
 #include "bit/files/bit_reading.hpp"
-#include "bit/mass_properties.hpp"
-#include "core/angles.hpp"
+#include "core/types.hpp"
 #include "verification/battery/shapes.hpp"
 
 namespace tdbd::bit::cone_rolling_test {

@@ -1,20 +1,16 @@
-#include "bit/cone/leg_clearance.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "bit/cone/cone_bit.hpp"
 #include "bit/cone/cone_interference.hpp"
+#include "bit/cone/cone_parts.hpp"
 #include "bit/cone/legs.hpp"
-#include "bit/cone/meridian.hpp"
-#include "bit/cone/meridian_gap.hpp"
-#include "bit/cone/part_pose.hpp"
-#include "bit/cone/tooth_mesh.hpp"
 #include "bit/cone_generate.hpp"
 #include "bit/files/bit_reading.hpp"
-#include "core/angles.hpp"
-#include "mesh/search/inside.hpp"
+#include "core/types.hpp"
+#include "mesh/search/triangle_tree.hpp"
 
 namespace tdbd::bit::leg_clearance_test {
 

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bit/body/body_overlap.hpp"
+#include "bit/bit.hpp"
+#include "bit/body/bit_body.hpp"
 #include "bit/cone/cone_bit.hpp"
 #include "bit/cone_generate.hpp"
-#include "bit/mass_properties.hpp"
 #include "mesh/check/check.hpp"
 #include "mesh/measures.hpp"
-#include "mesh/search/inside.hpp"
+#include "mesh/search/triangle_tree.hpp"
 
 namespace tdbd::bit::legs_test {
 namespace {

@@ -1,13 +1,10 @@
-#include "bit/cone/tooth_mesh.hpp"
-
 #include <gtest/gtest.h>
 
+#include "bit/bit.hpp"
 #include "bit/cone/cone_bit.hpp"
 #include "bit/cone/cone_faults.hpp"
-#include "bit/cone/cone_frame.hpp"
-#include "bit/cone/tooth_directions.hpp"
+#include "bit/cone/cone_parts.hpp"
 #include "bit/cone_generate.hpp"
-#include "bit/mass_properties.hpp"
 #include "mesh/check/check.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/shape/convex.hpp"
@@ -170,7 +167,7 @@ RC_GTEST_PROP(DirectTeeth, moves_rock_straight_down_under_inner_rows, ()) {
   Bit bit = cone_bit("any", {toothed_cone()}, std::nullopt, {});
   const auto rule =
       *rc::gen::element(GageRule::normal, GageRule::row, GageRule::down, GageRule::horizontal);
-  direct_teeth(bit, rule);
+  set_tooth_directions(bit, rule);
   for (const Part& p : bit.parts)
     if (p.kind == PartKind::tooth && p.row == 0) {
       RC_ASSERT(p.update_direction_B == Vec3(0, 0, 1));
@@ -181,7 +178,7 @@ RC_GTEST_PROP(DirectTeeth, moves_rock_straight_down_under_inner_rows, ()) {
 RC_GTEST_PROP(DirectTeeth, has_four_rules_at_the_gage, ()) {
   Bit bit = cone_bit("any", {toothed_cone()}, std::nullopt, {});
   const auto gage_tooth = [&](GageRule rule) {
-    direct_teeth(bit, rule);
+    set_tooth_directions(bit, rule);
     return bit.parts.back();
   };
   RC_ASSERT(gage_tooth(GageRule::down).update_direction_B == Vec3(0, 0, 1));
@@ -204,7 +201,7 @@ RC_GTEST_PROP(DirectTeeth, follows_the_rows_normal_at_its_deepest_place, ()) {
   Bit bit;
   bit.cones.push_back({"cone-1", cone, cone_pose(cone, 0.0)});
   bit.parts = cone_parts(bit.cones[0], 0);
-  direct_teeth(bit, GageRule::row);
+  set_tooth_directions(bit, GageRule::row);
   const Mat3& R = bit.cones[0].X_BK.R;
   const Vec3 in_B = R.col(2), down_B = (Vec3::UnitZ() - in_B.z() * in_B).normalized(),
              out_B = -Vec3(in_B.x(), in_B.y(), 0.0).normalized();
@@ -232,7 +229,7 @@ TEST(DirectTeeth, goes_down_where_a_row_points_up_and_inward) {
   Bit bit;
   bit.cones.push_back({"cone-1", cone, cone_pose(cone, 0.0)});
   bit.parts = cone_parts(bit.cones[0], 0);
-  direct_teeth(bit, GageRule::row);
+  set_tooth_directions(bit, GageRule::row);
   EXPECT_EQ(bit.parts.back().update_direction_B, Vec3(Vec3::UnitZ()));
 }
 
@@ -251,7 +248,7 @@ TEST(DirectTeeth, puts_the_core_on_the_tooths_axis) {
     Bit bit;
     bit.cones.push_back({"cone-1", cone, cone_pose(cone, 0.0)});
     bit.parts = cone_parts(bit.cones[0], 0);
-    direct_teeth(bit, GageRule::normal);
+    set_tooth_directions(bit, GageRule::normal);
     const Segment core = bit.parts.back().core_P.value();
     EXPECT_EQ(core.from, Vec3(0.0, 0.0, -4e-3));
     EXPECT_NEAR(core.to.z(), top, 1e-17);

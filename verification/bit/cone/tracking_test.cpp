@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "bit/cone/cone_bit.hpp"
-#include "bit/cone/cone_frame.hpp"
 #include "bit/cone/cone_parts.hpp"
 #include "bit/cone_generate.hpp"
 #include "reference/bit/rolled_prints.hpp"

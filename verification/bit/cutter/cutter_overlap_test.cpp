@@ -4,9 +4,7 @@
 
 #include <cmath>
 
-#include "bit/cutter/cutter_frame.hpp"
-#include "bit/cutter/cutter_gap.hpp"
-#include "bit/cutter/rim_reach.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "bit/generate.hpp"
 #include "bit/generate_design.hpp"
 #include "core/random.hpp"

@@ -1,10 +1,9 @@
-#include "bit/cutter/cutter_parts.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
+#include "bit/cutter/cutter.hpp"
 #include "bit/generate.hpp"
 #include "mesh/measures.hpp"
 

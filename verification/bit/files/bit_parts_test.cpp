@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bit/cone/cone_rolling.hpp"
-#include "bit/cone/part_pose.hpp"
+#include "bit/cone/cone_bit.hpp"
+#include "bit/cone/cone_measures.hpp"
 #include "bit/files/bit_export.hpp"
 #include "bit/files/bit_reading.hpp"
 #include "bit/files/bit_tables.hpp"

@@ -7,10 +7,9 @@
 
 #include "bit/cone/cone_interference.hpp"
 #include "bit/cone/cone_parts.hpp"
-#include "bit/cone/leg_clearance.hpp"
 #include "bit/files/bit_reading.hpp"
 #include "bit/files/mesh_bit.hpp"
-#include "core/angles.hpp"
+#include "core/types.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::bit::cone_file_test {

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bit/cutter/cutter_frame.hpp"
-#include "bit/cutter/cutter_parts.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "bit/files/adjust_file.hpp"
 #include "bit/files/bit_export.hpp"
 #include "bit/files/bit_file.hpp"
@@ -15,8 +14,8 @@
 #include "bit/files/mesh_bit.hpp"
 #include "bit/files/unit_question.hpp"
 #include "bit/generate.hpp"
-#include "core/angles.hpp"
 #include "core/error.hpp"
+#include "core/types.hpp"
 #include "mesh/files/solids.hpp"
 #include "verification/battery/generators.hpp"
 
@@ -84,7 +83,7 @@ TEST(MeshCutters, of_an_exported_bit_are_those_of_the_bit) {
     for (const std::string file : {"solids.toml", "bit.toml"}) {
       const Bit again = read((folder / format / file).string());
       ASSERT_EQ(again.cutters.size(), original.cutters.size()) << format << file;
-      EXPECT_EQ(again.cutters_from, CuttersFrom::meshes);
+      EXPECT_EQ(again.cutter_source, CutterSource::meshes);
       for (std::size_t i = 0; i < again.cutters.size(); ++i) {
         EXPECT_EQ(again.cutters[i].id, original.cutters[i].id);
         EXPECT_LT((tip_B(again.cutters[i]) - tip_B(original.cutters[i])).norm(), 3e-9);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "bit/generate.hpp"
-#include "bit/pdc/gage_pads.hpp"
 #include "core/error.hpp"
 #include "mesh/measures.hpp"
 #include "reference/bit/heel_drag.hpp"

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "bit/generate_design.hpp"
-#include "bit/pdc/profile_design.hpp"
 
 namespace tdbd::bit::pdc_design_test {
 
@@ -14,7 +13,7 @@ template <class Change>
 std::string problem_after(Change change) {
   PdcDesign d = plain_design();
   change(d);
-  const Layout layout = lay_out(d);
+  const Layout layout = make_layout(d);
   if (layout.problems.empty()) return "";
   const DesignProblem& p = layout.problems.front();
   return p.key + ": " + p.found + ", " + p.expected;

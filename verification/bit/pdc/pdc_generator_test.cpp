@@ -229,7 +229,7 @@ TEST(PdcGenerator, spreads_neighbours_over_the_blades) {
 }
 
 TEST(PdcGenerator, starts_and_ends_where_it_should) {
-  const Layout layout = lay_out(plain_design());
+  const Layout layout = make_layout(plain_design());
   ASSERT_TRUE(layout.problems.empty()) << layout.problems[0].found;
   EXPECT_EQ(layout.cutters.size(), 38u);
   EXPECT_NEAR(layout.cutters.front().tip_radius, 4e-3, 1e-18);
@@ -240,7 +240,7 @@ TEST(PdcGenerator, starts_and_ends_where_it_should) {
 
 /// Near the axis no cutter of any bit is relieved: there the path bends too much.
 TEST(PdcGenerator, relieves_every_cutter_away_from_the_axis) {
-  const Bit bit = pdc_bit("plain", lay_out(plain_design()).cutters, {});
+  const Bit bit = pdc_bit("plain", make_layout(plain_design()).cutters, {});
   const std::vector<double> drag = reference::heel_drag(bit, 2e-3);
   for (std::size_t k = 0; k < drag.size(); ++k)
     EXPECT_TRUE(bit.cutters[k].tip_radius < 0.01 || drag[k] < 0.0) << k + 1 << ": " << drag[k];

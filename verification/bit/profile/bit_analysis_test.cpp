@@ -5,11 +5,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "bit/cutter/rim_reach.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "bit/generate.hpp"
 #include "bit/generate_design.hpp"
-#include "bit/profile/engagement.hpp"
-#include "bit/profile/profile_direction.hpp"
+#include "bit/profile/exposure_profile.hpp"
 #include "reference/bit/radial_plane_engagement.hpp"
 
 /// Numbers of small bits, computed manually.

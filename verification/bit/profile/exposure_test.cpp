@@ -1,5 +1,3 @@
-#include "bit/profile/exposure.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -7,8 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "bit/cutter/cutter_frame.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "bit/generate.hpp"
+#include "bit/profile/bit_analysis.hpp"
 #include "bit/profile/exposure_profile.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"

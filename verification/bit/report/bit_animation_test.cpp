@@ -9,16 +9,15 @@
 #include <numeric>
 #include <set>
 
-#include "bit/cone/part_pose.hpp"
+#include "bit/cone/cone_bit.hpp"
 #include "bit/files/bit_reading.hpp"
-#include "bit/report/bit_motion.hpp"
 #include "bit/report/bit_output.hpp"
 #include "core/config/csv.hpp"
 #include "core/error.hpp"
 #include "core/read_file.hpp"
-#include "core/single.hpp"
+#include "core/simd.hpp"
 #include "core/temporary_folder.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 
 namespace tdbd::bit::bit_animation_test {
 

@@ -6,20 +6,17 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "bit/body/body_overlap.hpp"
-#include "bit/cutter/rim_reach.hpp"
+#include "bit/bit.hpp"
+#include "bit/body/bit_body.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "bit/files/bit_reading.hpp"
 #include "bit/files/mesh_bit.hpp"
 #include "bit/generate.hpp"
-#include "bit/mass_properties.hpp"
 #include "bit/profile/bit_analysis.hpp"
-#include "bit/profile/engagement.hpp"
-#include "bit/profile/exposure.hpp"
 #include "bit/profile/exposure_profile.hpp"
 #include "bit/report/bit_output.hpp"
 #include "bit/report/body_report.hpp"
 #include "bit/report/cone_report.hpp"
-#include "bit/report/overlap_report.hpp"
 #include "core/read_file.hpp"
 #include "mesh/measures.hpp"
 #include "verification/battery/shapes.hpp"

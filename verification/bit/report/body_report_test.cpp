@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "bit/body/rubbing.hpp"
-#include "bit/cone/cone_rolling.hpp"
+#include "bit/cone/cone_measures.hpp"
 #include "bit/cone/tracking.hpp"
 #include "bit/files/bit_reading.hpp"
-#include "bit/profile/engagement.hpp"
-#include "bit/report/overlap_report.hpp"
-#include "bit/report/tracking_report.hpp"
+#include "bit/profile/bit_analysis.hpp"
+#include "bit/report/bit_report.hpp"
+#include "bit/report/cone_report.hpp"
 #include "core/error.hpp"
 
 namespace tdbd::bit::body_report_test {
@@ -65,7 +65,7 @@ std::string place(const Vec3& x_B) {
 
 TEST(BodyReport, is_in_millimetres) {
   const Rubbing r = rubbing_of_body();
-  const BladeFigures& b = *bladed().blades;
+  const BladeDimensions& b = *bladed().blades;
   const nlohmann::json curve = body_json(bladed(), advance).at("weight_over_depth_of_cut");
   EXPECT_EQ(body_text(bladed(), advance),
             fmt::format("blades: exposure {:.3f} mm, slots {:.3f} mm deep, junk slot area {:.1f} "

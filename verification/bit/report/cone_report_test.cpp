@@ -7,17 +7,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "bit/cone/cone_assumptions.hpp"
 #include "bit/cone/cone_interference.hpp"
 #include "bit/cone/cone_measures.hpp"
 #include "bit/cone/cone_parts.hpp"
-#include "bit/cone/cone_rolling.hpp"
-#include "bit/cone/leg_clearance.hpp"
-#include "bit/cone/meridian.hpp"
 #include "bit/files/bit_reading.hpp"
-#include "bit/report/assumption_report.hpp"
 #include "bit/report/bit_report.hpp"
-#include "core/angles.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::bit::cone_report_test {
 namespace {

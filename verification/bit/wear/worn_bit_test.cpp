@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bit/bit.hpp"
 #include "bit/cone/cone_measures.hpp"
-#include "bit/cutter/cutter_parts.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "bit/files/bit_file.hpp"
 #include "bit/generate.hpp"
-#include "bit/mass_properties.hpp"
 #include "bit/wear/wear_law.hpp"
 #include "bit/wear/worn_piece.hpp"
 #include "core/error.hpp"
 #include "mesh/check/check.hpp"
 #include "mesh/measures.hpp"
-#include "mesh/shape/clip_convex.hpp"
+#include "mesh/shape/convex.hpp"
 #include "reference/literature/drag/wear/glowka_wear.hpp"
 
 namespace tdbd::bit::worn_bit_test {

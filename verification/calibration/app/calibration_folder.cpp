@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "calibration/cuts/groove_cut.hpp"
-#include "calibration/fit/sample.hpp"
-#include "core/angles.hpp"
+#include "calibration/cuts/cut_run.hpp"
+#include "calibration/fit/problem.hpp"
 #include "core/random.hpp"
+#include "core/types.hpp"
 #include "forces/rock/rock_material.hpp"
 
 namespace tdbd::app {

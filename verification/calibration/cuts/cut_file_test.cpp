@@ -1,11 +1,10 @@
-#include "calibration/cuts/cut_file.hpp"
-
 #include <gtest/gtest.h>
 #include <netcdf.h>
 
 #include <array>
 #include <fstream>
 
+#include "calibration/cuts/cut_store.hpp"
 #include "calibration/made_up_laboratory.hpp"
 #include "io/whole_file.hpp"
 #include "verification/core/temporary_file.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "calibration/fit/sample.hpp"
+#include "calibration/fit/problem.hpp"
 #include "calibration/made_up_laboratory.hpp"
 #include "calibration/twin_readings.hpp"
 #include "core/error.hpp"

@@ -1,10 +1,9 @@
-#include "calibration/cuts/groove_cut.hpp"
-
 #include <gtest/gtest.h>
 
-#include "calibration/fit/sample.hpp"
+#include "calibration/cuts/cut_run.hpp"
+#include "calibration/fit/problem.hpp"
 #include "forces/generate.hpp"
-#include "forces/laws/virgin_groove.hpp"
+#include "forces/laws/cutter_laws.hpp"
 #include "reference/forces/groove_by_strips.hpp"
 
 namespace tdbd::calibration::groove_cut_test {

@@ -1,9 +1,8 @@
-#include "calibration/fit/bounded_map.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "calibration/fit/trust_region.hpp"
 #include "forces/generate.hpp"
 
 namespace tdbd::calibration::bounded_map_test {

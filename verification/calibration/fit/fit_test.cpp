@@ -3,9 +3,6 @@
 #include <gsl/gsl_errno.h>
 #include <gtest/gtest.h>
 
-#include "calibration/fit/bounded_map.hpp"
-#include "calibration/fit/polish.hpp"
-#include "calibration/fit/solve.hpp"
 #include "calibration/fit/trust_region.hpp"
 #include "calibration/made_up_laboratory.hpp"
 #include "calibration/twin_readings.hpp"

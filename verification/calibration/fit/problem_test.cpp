@@ -31,7 +31,7 @@ TEST(Problem, has_the_rows_of_all_parts_where_one_unknown_moves) {
   const Data nothing{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(p.readings())),
                      Eigen::VectorXd::Zero(values.size())};
   constexpr double rounding = 1e-15;  // of the rows' norm
-  OneMoves moves(p, values);
+  SingleChange moves(p, values);
   for (Eigen::Index k = 0; k < values.size(); ++k) {
     Eigen::VectorXd moved = values;
     moved[k] *= 1.1;

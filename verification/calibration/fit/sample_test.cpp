@@ -1,7 +1,6 @@
-#include "calibration/fit/sample.hpp"
-
 #include <gtest/gtest.h>
 
+#include "calibration/fit/problem.hpp"
 #include "calibration/made_up_laboratory.hpp"
 
 namespace tdbd::calibration::sample_test {

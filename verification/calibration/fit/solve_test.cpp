@@ -1,15 +1,14 @@
-#include "calibration/fit/solve.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <string>
 
+#include "calibration/fit/fit.hpp"
 #include "calibration/made_up_laboratory.hpp"
 #include "calibration/twin_readings.hpp"
-#include "core/angles.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::calibration::solve_test {
 namespace {

@@ -45,12 +45,12 @@ TEST(SearchFromValues, has_ended_where_rounding_hides_the_rest) {
 TEST(IsDrivenOut, follows_the_sign_of_the_gradient_at_each_end) {
   const Unknown u = within(1.0, 3.0);
   for (const double slope : {1e-9, 0.5, 7.0}) {
-    EXPECT_TRUE(is_driven_out(u, 1.0001, slope));
-    EXPECT_FALSE(is_driven_out(u, 1.0001, -slope));
-    EXPECT_TRUE(is_driven_out(u, 2.9999, -slope));
-    EXPECT_FALSE(is_driven_out(u, 2.9999, slope));
-    EXPECT_FALSE(is_driven_out(u, 2.0, slope));
-    EXPECT_FALSE(is_driven_out(u, 2.0, -slope));
+    EXPECT_TRUE(is_driven_out_of_range(u, 1.0001, slope));
+    EXPECT_FALSE(is_driven_out_of_range(u, 1.0001, -slope));
+    EXPECT_TRUE(is_driven_out_of_range(u, 2.9999, -slope));
+    EXPECT_FALSE(is_driven_out_of_range(u, 2.9999, slope));
+    EXPECT_FALSE(is_driven_out_of_range(u, 2.0, slope));
+    EXPECT_FALSE(is_driven_out_of_range(u, 2.0, -slope));
   }
 }
 

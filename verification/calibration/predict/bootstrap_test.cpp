@@ -1,12 +1,11 @@
-#include "calibration/predict/bootstrap.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "calibration/fit/solve.hpp"
+#include "calibration/fit/fit.hpp"
 #include "calibration/made_up_laboratory.hpp"
+#include "calibration/predict/prediction.hpp"
 #include "core/random.hpp"
 
 namespace tdbd::calibration::bootstrap_test {

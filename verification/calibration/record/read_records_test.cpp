@@ -1,7 +1,6 @@
-#include "calibration/record/read_records.hpp"
-
 #include <gtest/gtest.h>
 
+#include "calibration/record/record.hpp"
 #include "core/error.hpp"
 #include "verification/core/temporary_folder.hpp"
 

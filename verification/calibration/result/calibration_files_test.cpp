@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "calibration/fit/bounded_map.hpp"
+#include "calibration/fit/trust_region.hpp"
 #include "calibration/made_up_laboratory.hpp"
 #include "core/provenance.hpp"
 

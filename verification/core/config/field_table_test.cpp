@@ -40,7 +40,8 @@ std::string reason(const auto& act) {
   return "";
 }
 
-std::string reason_of(const char* text, const char* suffix, const char* column, const char* unit) {
+std::string error_message_of(const char* text, const char* suffix, const char* column,
+                             const char* unit) {
   return reason([&] { field_column(table(text, suffix), column, unit); });
 }
 
@@ -62,25 +63,25 @@ TEST(FieldTable, reads_columns_of_both_formats) {
 TEST(FieldTable, names_the_row_that_has_no_value) {
   constexpr const char* expected =
       ", expected a number in each row: fill the gap or cut the record";
-  EXPECT_TRUE(reason_of(las, ".las", "HKLA", "N")
+  EXPECT_TRUE(error_message_of(las, ".las", "HKLA", "N")
                   .ends_with(".las:15: HKLA: found no value, \"-999.25\"" + std::string(expected)));
-  EXPECT_TRUE(reason_of(csv, ".csv", "hook load", "N")
+  EXPECT_TRUE(error_message_of(csv, ".csv", "hook load", "N")
                   .ends_with(".csv:3: hook load: found no value, \"\"" + std::string(expected)));
-  EXPECT_TRUE(reason_of(csv, ".csv", "flow [m]", "m")
+  EXPECT_TRUE(error_message_of(csv, ".csv", "flow [m]", "m")
                   .ends_with(".csv:2: flow: found no value, \"NaN\"" + std::string(expected)));
 }
 
 TEST(FieldTable, lists_the_columns_of_the_file_where_one_is_missing) {
-  EXPECT_TRUE(reason_of(las, ".las", "HKLD", "N")
+  EXPECT_TRUE(error_message_of(las, ".las", "HKLD", "N")
                   .ends_with(".las:1: HKLD: found no column of this name, expected one of TIME, "
                              "RPM, ROP, HKLA"));
 }
 
 TEST(FieldTable, refuses_units_that_are_missing_or_of_another_dimension) {
-  EXPECT_TRUE(reason_of(csv, ".csv", "flow", "m3/s")
+  EXPECT_TRUE(error_message_of(csv, ".csv", "flow", "m3/s")
                   .ends_with(".csv:1: flow: found no unit, expected one in the header or in the "
                              "case, as in \"flow [m3/s]\""));
-  EXPECT_TRUE(reason_of(las, ".las", "ROP", "rad/s")
+  EXPECT_TRUE(error_message_of(las, ".las", "ROP", "rad/s")
                   .ends_with(".las:1: ROP: found the unit \"M/HR\", expected a unit of angular "
                              "speed in rad/s"));
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/observed_order.hpp"
-#include "rotation/swing_twist.hpp"
+#include "rotation/quaternion.hpp"
 #include "string/simple_bit.hpp"
 #include "verification/battery/counted_memory.hpp"
 #include "verification/dynamics/drilling/drilling_run.hpp"

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/observed_order.hpp"
-#include "dynamics/drilling/divergence.hpp"
-#include "dynamics/drilling/residual_order.hpp"
+#include "dynamics/drilling/energy_ledger.hpp"
+#include "dynamics/drilling/stability.hpp"
 #include "reference/dynamics/lumped_drilling.hpp"
 #include "verification/battery/evidence.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"

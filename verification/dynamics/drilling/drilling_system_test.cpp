@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "core/error.hpp"
-#include "dynamics/drilling/divergence.hpp"
+#include "dynamics/drilling/stability.hpp"
 #include "dynamics/rotation/step.hpp"
 #include "reference/dynamics/lumped_drilling.hpp"
 #include "verification/battery/counted_memory.hpp"

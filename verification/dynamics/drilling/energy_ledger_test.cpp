@@ -6,7 +6,7 @@
 
 #include "core/observed_order.hpp"
 #include "reference/dynamics/lumped_drilling.hpp"
-#include "rotation/swing_twist.hpp"
+#include "rotation/quaternion.hpp"
 #include "verification/battery/evidence.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 #include "verification/dynamics/drilling/drilling_run.hpp"

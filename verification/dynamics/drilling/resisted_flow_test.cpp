@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "core/observed_order.hpp"
-#include "dynamics/drilling/columns.hpp"
+#include "dynamics/drilling/response.hpp"
 #include "reference/dynamics/ode.hpp"
 #include "verification/battery/evidence.hpp"
 #include "verification/battery/generators.hpp"

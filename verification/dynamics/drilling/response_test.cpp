@@ -37,7 +37,7 @@ Response response_of(const DrillingSystem& s, double h, DrillingRun& d) {
   open_step(s, h, d, d.work);
   Response response;
   ResponseWork room;
-  find_response(s, h, d, KicksLeft::closing_and_opening, d.work, room, response);
+  find_response(s, h, d, RemainingKicks::closing_and_opening, d.work, room, response);
   return response;
 }
 
@@ -79,7 +79,7 @@ TEST(Response, of_the_opening_kick_is_the_velocity_of_the_next_drift) {
     for (int i = 0; i < 10 * seed; ++i) step(s, smooth_law, h, d);
     Response response;
     ResponseWork room;
-    find_response(s, h, d, KicksLeft::opening, d.work, room, response);
+    find_response(s, h, d, RemainingKicks::opening, d.work, room, response);
     Wrench w = some_wrench(seed);
     w.cone_impulse = ConeImpulse::halves;
     const Eigen::VectorXd predicted = response.free + response.A * column_of(w);
@@ -89,7 +89,7 @@ TEST(Response, of_the_opening_kick_is_the_velocity_of_the_next_drift) {
   }
 }
 
-/// At a wall that rubs and loses, too, where the map is not linear: velocity_after opens the next step
+/// At a wall that rubs and loses, too, where the map is not linear: velocity_after_kicks opens the next step
 /// as the step itself does, in the geometries of node and middle.
 TEST(Response, velocity_after_is_that_of_the_next_drift_at_a_wall_that_resists) {
   constexpr double h = 2e-3, bound = 1e-14;  // of the velocity
@@ -102,13 +102,13 @@ TEST(Response, velocity_after_is_that_of_the_next_drift_at_a_wall_that_resists) 
   for (int seed = 0; seed < 50; ++seed) {
     const Wrench w = some_wrench(seed);
     open_step(s, h, d, d.work);
-    velocity_after(s, h, d, KicksLeft::closing_and_opening, w, d.work, v);
+    velocity_after_kicks(s, h, d, RemainingKicks::closing_and_opening, w, d.work, v);
     to_column(s, v, predicted);
     close_step(s, h, w, d, d.work);
     DrillingRun next = d;
     const Eigen::VectorXd found = velocity_of_next_drift(s, h, next);
     EXPECT_LT((predicted - found).norm(), bound * found.norm()) << seed;
-    velocity_after(s, h, d, KicksLeft::opening, w, d.work, v);
+    velocity_after_kicks(s, h, d, RemainingKicks::opening, w, d.work, v);
     to_column(s, v, predicted);
     EXPECT_LT((predicted - found).norm(), bound * found.norm()) << seed;
   }

@@ -7,7 +7,7 @@
 #include <complex>
 #include <numbers>
 
-#include "rotation/swing_twist.hpp"
+#include "rotation/quaternion.hpp"
 #include "verification/battery/evidence.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 #include "verification/dynamics/drilling/drilling_run.hpp"

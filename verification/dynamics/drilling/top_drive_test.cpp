@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "core/observed_order.hpp"
-#include "dynamics/drilling/columns.hpp"
 #include "dynamics/drilling/resisted_flow.hpp"
-#include "rotation/swing_twist.hpp"
+#include "dynamics/drilling/response.hpp"
+#include "rotation/quaternion.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 #include "verification/dynamics/drilling/drilling_run.hpp"
 

@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "core/error.hpp"
-#include "dynamics/rotation/drift_lie.hpp"
+#include "dynamics/rotation/drift.hpp"
 #include "dynamics/rotation/kick.hpp"
 #include "verification/battery/dual.hpp"
 #include "verification/battery/golden.hpp"

@@ -1,5 +1,3 @@
-#include "dynamics/rotation/torque.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 #include <cmath>
 
 #include "core/observed_order.hpp"
+#include "dynamics/rotation/kick.hpp"
 #include "rotation/quaternion.hpp"
 #include "verification/battery/dual.hpp"
 #include "verification/battery/evidence.hpp"

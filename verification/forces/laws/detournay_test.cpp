@@ -1,14 +1,9 @@
-#include "forces/laws/detournay.hpp"
-
 #include <gtest/gtest.h>
 
-#include "forces/fits.hpp"
 #include "forces/generate.hpp"
-#include "forces/laws/depth_of_cut.hpp"
-#include "forces/laws/friction.hpp"
-#include "forces/laws/glowka.hpp"
-#include "forces/laws/indentation.hpp"
-#include "forces/laws/virgin_groove.hpp"
+#include "forces/law.hpp"
+#include "forces/laws/contact_laws.hpp"
+#include "forces/laws/cutter_laws.hpp"
 
 namespace tdbd::forces::detournay_test {
 

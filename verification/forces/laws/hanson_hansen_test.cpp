@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "forces/generate.hpp"
-#include "forces/laws/thin_cut.hpp"
-#include "forces/laws/virgin_groove.hpp"
+#include "forces/laws/cutter_laws.hpp"
 #include "forces/rock/rock_material.hpp"
 #include "reference/forces/chip_balance.hpp"
 #include "reference/forces/groove_by_strips.hpp"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "forces/generate.hpp"
-#include "forces/part/pressing.hpp"
 
 namespace tdbd::forces::directions_test {
 

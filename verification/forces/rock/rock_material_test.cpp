@@ -6,7 +6,6 @@
 
 #include "core/error.hpp"
 #include "forces/generate.hpp"
-#include "forces/rock/formation.hpp"
 
 namespace tdbd::forces::rock_material_test {
 

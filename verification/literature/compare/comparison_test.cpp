@@ -38,7 +38,7 @@ const Comparison& coarse() {
 TEST(Comparison, every_blank_has_a_reason_and_every_number_none) {
   for (const Answer& a : coarse().answers)
     for (std::size_t i = 0; i < quantity_count; ++i) {
-      const Saying& s = a.findings.says[i];
+      const QuantityResult& s = a.findings.says[i];
       EXPECT_NE(s.value.has_value(), !s.reason.empty())
           << a.model->name << ": " << quantity_texts()[i].name;
     }
@@ -160,8 +160,8 @@ TEST(Findings, a_number_that_is_not_finite_is_a_blank_with_its_reason) {
 TEST(Findings, a_reason_never_replaces_a_number_or_an_earlier_reason) {
   Findings f;
   say(f, Quantity::weight, 1.0);
-  cannot_say(f, Quantity::torque, "first");
-  cannot_say(f, {Quantity::weight, Quantity::torque, Quantity::imbalance}, "second");
+  set_missing(f, Quantity::torque, "first");
+  set_missing(f, {Quantity::weight, Quantity::torque, Quantity::imbalance}, "second");
   EXPECT_EQ(saying(f, Quantity::weight).value, 1.0);
   EXPECT_EQ(saying(f, Quantity::torque).reason, "first");
   EXPECT_EQ(saying(f, Quantity::imbalance).reason, "second");
@@ -190,7 +190,7 @@ TEST(Findings, noise_of_nothing_is_nothing) {
 
 TEST(Findings, the_work_of_a_turn_adds_what_the_weight_does) {
   Findings f;
-  say_steady_loads(f, 2.0e4, 1.2e3, 2e-3);
+  set_steady_load_quantities(f, 2.0e4, 1.2e3, 2e-3);
   EXPECT_NEAR(*saying(f, Quantity::work_of_a_turn_torque).value,
               1.2e3 + 2.0e4 * 2e-3 / (2.0 * std::numbers::pi), 1e-12);
   EXPECT_FALSE(saying(f, Quantity::torque_noise).value);
@@ -198,7 +198,7 @@ TEST(Findings, the_work_of_a_turn_adds_what_the_weight_does) {
 
 TEST(Findings, steps_longer_than_5_ms_have_no_mean_over_5_ms) {
   Findings f;
-  say_loads(f, {0.02, {1.0, 2.0}, {3.0, 4.0}}, 1e-3);
+  set_load_quantities(f, {0.02, {1.0, 2.0}, {3.0, 4.0}}, 1e-3);
   EXPECT_EQ(saying(f, Quantity::torque_noise_5ms).reason, "its step is longer than 5 ms");
   EXPECT_EQ(*saying(f, Quantity::torque).value, 3.5);
 }

@@ -33,9 +33,9 @@ TEST(FreeRun, three_models_run_and_the_others_report_what_they_need) {
   ASSERT_EQ(of_three().answers.size(), 3);
   EXPECT_EQ(of_three().answers[1].model->name, "langeveld");
   EXPECT_EQ(of_three().answers[2].model->name, "hanson-hansen");
-  EXPECT_EQ(of_three().not_asked.size(), models().size() - 3);
+  EXPECT_EQ(of_three().excluded_models.size(), models().size() - 3);
   EXPECT_EQ(
-      of_three().not_asked.front(),
+      of_three().excluded_models.front(),
       "Warren and Sinor: found motion.kind = \"drilling\", needs a bit whose motion is given");
 }
 
@@ -118,8 +118,8 @@ TEST(FreeRun, a_bit_that_whirls_off_its_spokes_is_refused_by_its_models_name) {
                         {"string.lateral_stiffness='1e7 N/m'", "time.duration='5 s'"});
   const Comparison all = compare(c, {&models()[4]}, Refusal::is_noted, {});
   EXPECT_TRUE(all.answers.empty());
-  EXPECT_EQ(all.not_asked.front().find("Langeveld: found a bit that whirls"), 0)
-      << all.not_asked.front();
+  EXPECT_EQ(all.excluded_models.front().find("Langeveld: found a bit that whirls"), 0)
+      << all.excluded_models.front();
 }
 
 TEST(FreeRun, a_step_too_long_for_the_damper_is_refused_by_its_models_name) {

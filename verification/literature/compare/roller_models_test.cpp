@@ -183,8 +183,8 @@ TEST(RollerModels, ma_zhou_and_deng_agree_with_their_craters) {
 TEST(RollerModels, huang_and_cawthorne_agree_with_both_of_their_methods) {
   const CompareCase c = bit_r();
   const ToothTable table = tooth_table_of(c, bit_of(c), "Huang and Cawthorne");
-  for (const auto& [name, way] : {std::pair("huang-cawthorne-1", PatentWay::first),
-                                  std::pair("huang-cawthorne-2", PatentWay::second)}) {
+  for (const auto& [name, way] : {std::pair("huang-cawthorne-1", PatentMethod::first),
+                                  std::pair("huang-cawthorne-2", PatentMethod::second)}) {
     HuangCawthorneOptions options;
     options.way = way;
     options.drilling = with_case(options.drilling, c);

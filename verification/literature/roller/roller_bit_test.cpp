@@ -9,8 +9,6 @@
 
 #include "bit/cone/cone_bit.hpp"
 #include "bit/cone/cone_measures.hpp"
-#include "bit/cone/cone_rolling.hpp"
-#include "bit/cone/part_pose.hpp"
 #include "bit/files/bit_file.hpp"
 #include "core/error.hpp"
 #include "reference/literature/roller/bracketed_root.hpp"

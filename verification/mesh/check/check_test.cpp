@@ -13,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/check/topology.hpp"
 #include "mesh/example_meshes.hpp"
 #include "verification/battery/generators.hpp"
 

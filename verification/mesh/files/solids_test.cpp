@@ -14,7 +14,7 @@
 
 #include "core/error.hpp"
 #include "mesh/check/check.hpp"
-#include "mesh/check/divide.hpp"
+#include "mesh/check/self_intersections.hpp"
 #include "mesh/files/files.hpp"
 #include "verification/battery/shapes.hpp"
 #include "verification/core/temporary_folder.hpp"

@@ -13,11 +13,10 @@
 
 #include "core/error.hpp"
 #include "mesh/check/self_intersections.hpp"
-#include "mesh/grade/grade_surface.hpp"
 #include "mesh/measures.hpp"
-#include "mesh/repair/inspect.hpp"
+#include "mesh/repair/repair.hpp"
 #include "mesh/shape/convex.hpp"
-#include "mesh/sides.hpp"
+#include "mesh/surface.hpp"
 #include "verification/battery/shapes.hpp"
 
 namespace tdbd::mesh::grade_test {

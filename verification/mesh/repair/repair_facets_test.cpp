@@ -12,9 +12,7 @@
 #include <vector>
 
 #include "mesh/check/check.hpp"
-#include "mesh/check/divide.hpp"
 #include "mesh/check/self_intersections.hpp"
-#include "mesh/check/topology.hpp"
 #include "mesh/files/solids.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/repair_steps.hpp"
@@ -210,7 +208,7 @@ TriangleMesh wedges(int count) {
                         1)});
   }
   const TriangleMesh m = merged(all);
-  TriangleMesh joined{m.positions, by_first_of_equals(m)};
+  TriangleMesh joined{m.positions, merge_equal_vertices(m)};
   drop_unused_points(joined);
   return joined;
 }
@@ -262,7 +260,7 @@ TEST(SplitNonManifold, refuses_three_facets_at_an_edge_and_counts_nothing) {
 TEST(SplitNonManifold, gives_fans_that_touch_a_vertex_each) {
   const TriangleMesh two = merged(
       {{"a", battery::box({0, 0, 0}, {1, 1, 1})}, {"b", battery::box({1, 1, 1}, {2, 2, 2})}});
-  TriangleMesh m{two.positions, by_first_of_equals(two)};
+  TriangleMesh m{two.positions, merge_equal_vertices(two)};
   drop_unused_points(m);
   ASSERT_EQ(m.positions.size(), 15u);
   std::string refusal;

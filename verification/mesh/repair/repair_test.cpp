@@ -11,11 +11,9 @@
 #include <vector>
 
 #include "mesh/check/check.hpp"
-#include "mesh/check/divide.hpp"
 #include "mesh/check/self_intersections.hpp"
 #include "mesh/files/solids.hpp"
 #include "mesh/measures.hpp"
-#include "mesh/repair/inspect.hpp"
 #include "reference/mesh/self_intersections.hpp"
 #include "verification/battery/shapes.hpp"
 
@@ -172,7 +170,7 @@ TEST(Repair, gives_up_on_a_solid_squeezed_into_a_line) {
 /// Two boxes that share an edge, as one mesh: four facets meet there.
 TEST(Repair, separates_solids_that_share_an_edge) {
   const TriangleMesh two = joined(unit_box, battery::box({1, 1, 0}, {2, 2, 1}));
-  const TriangleMesh m{two.positions, by_first_of_equals(two)};
+  const TriangleMesh m{two.positions, merge_equal_vertices(two)};
   ASSERT_EQ(inspect(m).non_manifold_edges, 1u);
   const Repaired r = repair(m);
   EXPECT_EQ(r.refusal, "");
@@ -212,7 +210,7 @@ TEST(Repair, remeshes_where_a_surface_crosses_itself) {
 
 TEST(Repair, refuses_an_odd_edge) {
   TriangleMesh m = joined(unit_box, battery::box({1, 0, 0}, {2, 1, 1}));
-  m.triangles = by_first_of_equals(m);
+  m.triangles = merge_equal_vertices(m);
   std::vector<Triangle> wall;  // one of the two facing walls between the boxes
   for (std::size_t i = 0; i < m.triangles.size(); ++i) {
     const Triangle& t = m.triangles[i];

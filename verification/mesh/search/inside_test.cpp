@@ -1,12 +1,10 @@
-#include "mesh/search/inside.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/search/surface_distance.hpp"
+#include "mesh/search/triangle_tree.hpp"
 #include "reference/mesh/hausdorff.hpp"
 #include "reference/rock/brute_force_exit.hpp"
 #include "verification/battery/generators.hpp"
@@ -33,7 +31,7 @@ RC_GTEST_PROP(InsideTree, has_no_special_positions_in_a_box, ()) {
   RC_ASSERT(inside(tree, x) == (x.cwiseAbs().maxCoeff() < 1.0));
 }
 
-/// The rays of inside.cpp.
+/// The rays of triangle_tree.cpp.
 const Vec3 rays[] = {{0.1237, 0.2711, 0.9545},   {-0.3319, 0.1173, 0.9360},
                      {0.2113, -0.4391, -0.8732}, {0.7713, 0.5381, 0.3394},
                      {-0.6151, 0.7333, -0.2895}, {0.3917, -0.9017, 0.1833}};

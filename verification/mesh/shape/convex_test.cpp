@@ -10,7 +10,6 @@
 
 #include "core/tolerance.hpp"
 #include "mesh/measures.hpp"
-#include "mesh/shape/clip_convex.hpp"
 #include "reference/rock/brute_force_exit.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"

@@ -11,7 +11,6 @@
 
 #include "battery/generators.hpp"
 #include "battery/golden.hpp"
-#include "bit/cone/cone_assumptions.hpp"
 #include "bit/cone/cone_measures.hpp"
 #include "core/observed_order.hpp"
 #include "reference/dynamics/jointed_bodies.hpp"

@@ -197,16 +197,18 @@ TEST(RungeKutta, looser_tolerances_cost_fewer_evaluations) {
   EXPECT_LT(1e3 * error(tight), error(loose));
 }
 
-const std::map<std::string, Rival> rivals{
-    {"rk8pd", Rival::rk8pd}, {"rkf45", Rival::rkf45}, {"rk4", Rival::rk4}};
+const std::map<std::string, ComparisonMethod> rivals{{"rk8pd", ComparisonMethod::rk8pd},
+                                                     {"rkf45", ComparisonMethod::rkf45},
+                                                     {"rk4", ComparisonMethod::rk4}};
 
-std::vector<WorkPrecision> on_the_slow_top(Rival rival, const std::vector<double>& accuracies) {
+std::vector<WorkPrecision> on_the_slow_top(ComparisonMethod rival,
+                                           const std::vector<double>& accuracies) {
   const battery::GoldenCase c = battery::read_golden_case("slow_top");
   return work_precision(c.gyrostat, c.loads, matrix_state(c.initial), 10.0, rival, accuracies);
 }
 
-std::vector<double> ladder(Rival rival) {
-  if (rival == Rival::rk4) return {200, 400, 800, 1600, 3200, 6400, 12800, 25600};
+std::vector<double> ladder(ComparisonMethod rival) {
+  if (rival == ComparisonMethod::rk4) return {200, 400, 800, 1600, 3200, 6400, 12800, 25600};
   return {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13};
 }
 
@@ -232,7 +234,7 @@ TEST(WorkPrecision, errors_are_true_errors) {
 }
 
 TEST(WorkPrecision, rk4_converges_with_order_4_at_4_evaluations_a_step) {
-  const auto points = on_the_slow_top(Rival::rk4, {3200, 6400});
+  const auto points = on_the_slow_top(ComparisonMethod::rk4, {3200, 6400});
   EXPECT_EQ(points[0].evaluations, 4 * 3200);
   EXPECT_NEAR(std::log2(points[0].attitude_error / points[1].attitude_error), 4.0, 0.1);
 }
@@ -246,14 +248,14 @@ TEST(WorkPrecision, angle_between_attitudes) {
 }
 
 TEST(WorkPrecision, refuses_what_it_cannot_run) {
-  EXPECT_THROW(on_the_slow_top(Rival::rk4, {0.5}), InputError);
-  EXPECT_THROW(on_the_slow_top(Rival::rk4, {-2.0}), InputError);
-  EXPECT_THROW(on_the_slow_top(Rival::rk4, {1e9}), InputError);
-  EXPECT_THROW(on_the_slow_top(Rival::rkf45, {0.0}), InputError);
-  EXPECT_THROW(on_the_slow_top(Rival::rk8pd, {std::nan("")}), InputError);
+  EXPECT_THROW(on_the_slow_top(ComparisonMethod::rk4, {0.5}), InputError);
+  EXPECT_THROW(on_the_slow_top(ComparisonMethod::rk4, {-2.0}), InputError);
+  EXPECT_THROW(on_the_slow_top(ComparisonMethod::rk4, {1e9}), InputError);
+  EXPECT_THROW(on_the_slow_top(ComparisonMethod::rkf45, {0.0}), InputError);
+  EXPECT_THROW(on_the_slow_top(ComparisonMethod::rk8pd, {std::nan("")}), InputError);
   dynamics::Loads sampled;
   sampled.samples.resize(1);
-  EXPECT_THROW(work_precision({}, sampled, {}, 1.0, Rival::rk4, {10.0}), InputError);
+  EXPECT_THROW(work_precision({}, sampled, {}, 1.0, ComparisonMethod::rk4, {10.0}), InputError);
 }
 
 }  // namespace tdbd::reference::runge_kutta_test

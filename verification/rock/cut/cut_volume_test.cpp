@@ -5,18 +5,17 @@
 #include <cstdio>
 #include <numbers>
 
-#include "bit/cutter/cutter_parts.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "core/random.hpp"
 #include "mesh/measures.hpp"
-#include "mesh/shape/clip_convex.hpp"
+#include "mesh/shape/convex.hpp"
 #include "reference/mesh/exact_volume.hpp"
 #include "reference/rock/close_surface.hpp"
 #include "reference/rock/prism.hpp"
 #include "reference/rock/swept_boolean.hpp"
 #include "rock/cut/convex_union.hpp"
 #include "rock/cut/cut_rock.hpp"
-#include "rock/cut/star_volume.hpp"
-#include "rock/cut/swept_convex.hpp"
+#include "rock/cut/swept_part.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/battery/shapes.hpp"
@@ -101,8 +100,8 @@ namespace tdbd::rock::convex_union_test {
 
 using mesh::TriangleMesh;
 
-std::vector<ConvexPiece> pieces_of(const std::vector<TriangleMesh>& meshes) {
-  std::vector<ConvexPiece> pieces;
+std::vector<ConvexPart> pieces_of(const std::vector<TriangleMesh>& meshes) {
+  std::vector<ConvexPart> pieces;
   for (const TriangleMesh& m : meshes) pieces.push_back({*mesh::convex_solid(m), m});
   return pieces;
 }
@@ -151,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, ConvexUnionOfCutter,
 /// as at the edge between chamfer and body, where most exits are, to the first, whatever the plane.
 TEST_P(ConvexUnionOfCutter, has_an_owner_for_every_place) {
   const std::vector<TriangleMesh> meshes = meshes_of(GetParam());
-  const std::vector<ConvexPiece> pieces = pieces_of(meshes);
+  const std::vector<ConvexPart> pieces = pieces_of(meshes);
   const auto whole = convex_union(pieces);
   ASSERT_TRUE(whole.has_value());
   long places = 0;
@@ -170,7 +169,7 @@ TEST_P(ConvexUnionOfCutter, has_an_owner_for_every_place) {
 
 /// No point of a part is outside, and none outside all parts is inside.
 TEST_P(ConvexUnionOfCutter, is_what_the_parts_fill) {
-  const std::vector<ConvexPiece> pieces = pieces_of(meshes_of(GetParam()));
+  const std::vector<ConvexPart> pieces = pieces_of(meshes_of(GetParam()));
   const auto whole = convex_union(pieces);
   ASSERT_TRUE(whole.has_value());
   for (int i = -10; i <= 10; ++i)
@@ -178,7 +177,7 @@ TEST_P(ConvexUnionOfCutter, is_what_the_parts_fill) {
       for (int k = 0; k <= 20; ++k) {
         const Vec3 x(-0.713e-3 * k, 0.917e-3 * i, 0.873e-3 * j);
         double depth = -1.0;
-        for (const ConvexPiece& p : pieces) depth = std::max(depth, depth_inside(p.solid_P, x));
+        for (const ConvexPart& p : pieces) depth = std::max(depth, depth_inside(p.solid_P, x));
         EXPECT_EQ(depth > -1e-12, depth_inside(whole->solid_P, x) > -1e-12) << x.transpose();
       }
 }

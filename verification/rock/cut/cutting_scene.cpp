@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "mesh/measures.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/battery/shapes.hpp"

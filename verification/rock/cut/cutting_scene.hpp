@@ -3,7 +3,7 @@
 #include <rapidcheck.h>
 
 #include "bit/bit.hpp"
-#include "core/pose.hpp"
+#include "core/types.hpp"
 #include "rock/cut/cut_rock.hpp"
 
 /// Random cuts: some convex parts and one step of their motion over a bumpy sheet of rock.

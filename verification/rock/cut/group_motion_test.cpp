@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rock/cut/group_cut.hpp"
 #include "rock/cut/hull_filter.hpp"
-#include "rock/cut/mapped_direction.hpp"
 #include "rock/cut/swept_part.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
@@ -55,7 +55,7 @@ std::vector<int> candidates_in(const VertexGrid& grid, const std::vector<Vec3>& 
   NearList list;
   NearGroup near;
   if (is_out_of_reach(grid, m)) return {};
-  bring_up_to_date(grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, margins, list);
+  update_near_list(grid, {g.box_P, m.X_WP0, m.X_WP1, m.region_W}, margins, list);
   find_candidates(g, m, vertices_at(positions_W), list, -1.0, near);
   for (int& v : near.places) v = list.v[static_cast<std::size_t>(v)];
   return near.places;
@@ -98,7 +98,7 @@ RC_GTEST_PROP(FindCandidates, finds_all_that_is_touched, ()) {
   VertexGrid grid(region.box, 0.3);
   for (std::size_t v = 0; v < points.size(); ++v) grid.insert(static_cast<int>(v), points[v]);
   NearList list;
-  bring_up_to_date(grid, {g.box_P, m.X_WP0, m.X_WP1, region}, {}, list);
+  update_near_list(grid, {g.box_P, m.X_WP0, m.X_WP1, region}, {}, list);
   NearGroup near;
   find_candidates(g, m, vertices_at(points), list, gap, near);
   for (std::size_t v = 0; v < points.size(); ++v)

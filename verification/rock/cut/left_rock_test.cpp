@@ -1,12 +1,11 @@
-#include "rock/cut/left_rock.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 
-#include "core/angles.hpp"
 #include "core/tolerance.hpp"
+#include "core/types.hpp"
+#include "rock/cut/cut_rock.hpp"
 #include "rock/section/contact_area.hpp"
 #include "verification/battery/shapes.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
@@ -177,12 +176,12 @@ TEST(LeftRock, is_put_back_bitwise) {
   ASSERT_FALSE(c.rock.left.empty());
   const mesh::Surface before = c.rock.surface;
   std::vector<Vec3> places;
-  show_passed(c.rock, places);
+  apply_residues(c.rock, places);
   int moved = 0;
   for (int v = 0; v < before.vertex_slots(); ++v)
     moved += before.position(v) != c.rock.surface.position(v);
   EXPECT_EQ(moved, static_cast<int>(c.rock.left.size()));
-  put_back(c.rock, places);
+  undo_residues(c.rock, places);
   for (int v = 0; v < before.vertex_slots(); ++v)
     EXPECT_EQ(before.position(v), c.rock.surface.position(v));
 }

@@ -1,5 +1,3 @@
-#include "rock/cut/near_planes.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -10,7 +8,8 @@
 
 #include "core/tolerance.hpp"
 #include "rock/cut/plane_sectors.hpp"
-#include "rock/cut/strip.hpp"
+#include "rock/cut/plane_strip.hpp"
+#include "rock/cut/swept_mesh.hpp"
 #include "rock/cut/swept_part.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"

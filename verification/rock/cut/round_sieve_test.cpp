@@ -1,5 +1,3 @@
-#include "rock/cut/round_sieve.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -9,7 +7,8 @@
 #include "core/tolerance.hpp"
 #include "rock/cut/cut_rock.hpp"
 #include "rock/cut/hull_filter.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rock/cut/sieves.hpp"
+#include "rotation/screw.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
@@ -91,7 +90,7 @@ Found found(const Case& c, double gap, const NearListMargins& margins = {}) {
   }
   NearList list;
   NearGroup near;
-  bring_up_to_date(grid, {c.group().box_P, c.m.X_WP0, c.m.X_WP1, region}, margins, list);
+  update_near_list(grid, {c.group().box_P, c.m.X_WP0, c.m.X_WP1, region}, margins, list);
   find_candidates(c.group(), c.m, surface, list, gap, near);
   Found f{{}, near.touching};
   for (const int place : near.places) f.swept.push_back(list.v[at(place)]);

@@ -1,5 +1,3 @@
-#include "rock/cut/swept_convex.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -15,9 +13,10 @@
 #include "reference/mesh/convex_hull.hpp"
 #include "reference/rock/brute_force_exit.hpp"
 #include "reference/rock/exit_by_corners.hpp"
-#include "rock/cut/mapped_direction.hpp"
-#include "rock/cut/wide_paths.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rock/cut/group_cut.hpp"
+#include "rock/cut/swept_part.hpp"
+#include "rock/cut/wide_exits.hpp"
+#include "rotation/screw.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 

@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "core/random.hpp"
-#include "mesh/search/inside.hpp"
+#include "mesh/search/triangle_tree.hpp"
 #include "mesh/shape/convex.hpp"
 #include "reference/rock/brute_force_exit.hpp"
 #include "rock/cut/facet_walk.hpp"
-#include "rock/cut/swept_convex.hpp"
+#include "rock/cut/swept_part.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 

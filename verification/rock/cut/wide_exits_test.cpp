@@ -9,9 +9,8 @@
 #include "core/random.hpp"
 #include "core/tolerance.hpp"
 #include "rock/cut/cut_rock.hpp"
-#include "rock/cut/swept_convex.hpp"
-#include "rock/cut/swept_whole.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rock/cut/swept_part.hpp"
+#include "rotation/screw.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/battery/shapes.hpp"
@@ -219,7 +218,7 @@ RC_GTEST_PROP(WholeExits, are_where_the_way_through_the_parts_ends, ()) {
   SweptScratch scratch;
   const RelativePath p = any_path();
   prepare_exits(g.whole->solid, boxes_around({p}, {0}), scratch);
-  const auto x = prepared_whole_exit(*g.whole, p, scratch);
+  const auto x = prepared_union_exit(*g.whole, p, scratch);
   RC_TAG(x ? static_cast<int>(x->part) : -1);
   RC_ASSERT(std::abs((x ? x->t : 0.0) - exit_part_by_part(g, p)) < 1e-12);
   if (!x) return;

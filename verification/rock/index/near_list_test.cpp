@@ -7,9 +7,8 @@
 #include <cmath>
 #include <map>
 
-#include "rock/index/change_journal.hpp"
 #include "rock/index/vertex_grid.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 #include "verification/battery/generators.hpp"
 
 namespace tdbd::rock::near_list_test {
@@ -84,7 +83,7 @@ void check_search(const Indexed& x, const Region& r) {
 /// The step moves a vertex and updates the list.
 void step_moves(Indexed& x, int v, const Vec3& to) {
   const bool knows = x.list.changes == x.grid.changes();
-  x.grid.move(v, to, Teller::mover);
+  x.grid.move(v, to, Notify::none);
   x.points[v] = to;
   if (!knows) return;
   VertexChanges change;
@@ -121,7 +120,7 @@ RC_GTEST_PROP(NearList, contains_what_a_new_one_would_after_any_changes, ()) {
   for (int k = 0; k < 12; ++k) {
     const Pose next = *battery::integer(0, 5) == 0 ? *battery::pose(0.5) : X_WP * step;
     const Region r = region_of(X_WP, next);
-    bring_up_to_date(x.grid, {part_P, X_WP, next, r}, x.margins, x.list);
+    update_near_list(x.grid, {part_P, X_WP, next, r}, x.margins, x.list);
     RC_ASSERT(covers(x.list, x.grid, r));
     check_list(x);
     check_search(x, r);
@@ -144,7 +143,7 @@ struct AtRest {
   std::vector<int> find() {
     const Pose X_WP{Mat3::Identity(), Vec3::Zero()};
     const Region r = region_of(X_WP, X_WP);
-    bring_up_to_date(grid, {part_P, X_WP, X_WP, r}, {}, list);
+    update_near_list(grid, {part_P, X_WP, X_WP, r}, {}, list);
     std::vector<int> found;
     add_vertices_between(list, r, 0.0, found);
     std::ranges::sort(found);
@@ -167,7 +166,7 @@ TEST(NearList, never_offers_a_removed_vertex_and_follows_its_reused_number) {
 /// A vertex that the step moved out of the list's region is still in the list, at its old place.
 TEST(NearList, forgets_a_vertex_that_was_removed_after_it_had_left) {
   AtRest x;
-  x.grid.move(0, Vec3(0.9, 0.0, 0.0), Teller::mover);
+  x.grid.move(0, Vec3(0.9, 0.0, 0.0), Notify::none);
   x.list.changes = x.grid.changes();
   x.grid.remove(0);
   EXPECT_EQ(x.find(), std::vector{1});
@@ -189,7 +188,7 @@ TEST(NearList, stays_bounded_while_vertices_come_and_go) {
 TEST(NearList, is_rebuilt_after_an_unreported_move) {
   AtRest x;
   x.grid.insert(2, Vec3::Zero());
-  x.grid.move(0, Vec3(0.05, 0.05, 0.0), Teller::mover);
+  x.grid.move(0, Vec3(0.05, 0.05, 0.0), Notify::none);
   EXPECT_EQ(x.find(), (std::vector{0, 1, 2}));
   EXPECT_EQ(x.list.changes, x.grid.changes());
 }
@@ -208,7 +207,7 @@ int times_made(int steps, int change_every) {
     if (change_every > 0 && k % change_every == 0) grid.move(0, Vec3::Zero());
     const Vec3 before = list.origin_W;
     const Pose next = X_WP * step;
-    bring_up_to_date(grid, {part_P, X_WP, next, region_of(X_WP, next)}, {}, list);
+    update_near_list(grid, {part_P, X_WP, next, region_of(X_WP, next)}, {}, list);
     if (k >= warm && before != list.origin_W) ++made;
     X_WP = next;
   }
@@ -242,7 +241,7 @@ TEST(ChangeJournal, lists_moved_and_removed_vertices_in_order) {
 TEST(ChangeJournal, forgets_what_came_before_a_reported_change) {
   VertexGrid grid = some_grid();
   grid.insert(3, Vec3::Zero());
-  grid.move(3, Vec3::Constant(0.5), Teller::mover);
+  grid.move(3, Vec3::Constant(0.5), Notify::none);
   EXPECT_TRUE(grid.journal().changes.v.empty());
   EXPECT_EQ(grid.journal().first, 2);
   grid.move(3, Vec3::Constant(-0.5));

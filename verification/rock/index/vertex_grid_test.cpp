@@ -9,9 +9,9 @@
 #include <set>
 
 #include "rock/index/box_columns.hpp"
-#include "rock/index/list_places.hpp"
-#include "rock/index/near_region.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rock/index/near_list.hpp"
+#include "rock/index/near_list_storage.hpp"
+#include "rotation/screw.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/rock/index/grid_query.hpp"
 

@@ -1,5 +1,3 @@
-#include "rock/maintain/check_operation.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -13,10 +11,10 @@
 
 #include "core/error.hpp"
 #include "mesh/edit.hpp"
-#include "mesh/facet.hpp"
+#include "mesh/measures.hpp"
 #include "rock/maintain/collapse.hpp"
+#include "rock/maintain/invariants.hpp"
 #include "rock/maintain/limits.hpp"
-#include "rock/maintain/star.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/rock/bumpy_sheet.hpp"

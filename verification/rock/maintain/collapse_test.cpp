@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "mesh/edit.hpp"
-#include "mesh/facet.hpp"
 #include "mesh/measures.hpp"
 #include "reference/mesh/hausdorff.hpp"
 #include "rock/maintain/invariants.hpp"
+#include "rock/maintain/limits.hpp"
 #include "rock/maintain/maintain.hpp"
-#include "rock/maintain/star.hpp"
 #include "verification/mesh/random_edit.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 
@@ -83,7 +82,7 @@ RC_GTEST_PROP(Collapse, is_judged_alike_at_one_place_and_at_three, ()) {
 }
 
 /// The triangles that a collapse of (a, b) to x leaves around it.
-std::vector<mesh::Facet> left_by(const mesh::Surface& s, int a, int b, const Vec3& x_W) {
+std::vector<mesh::Facet> remaining_rock_of(const mesh::Surface& s, int a, int b, const Vec3& x_W) {
   std::vector<mesh::Facet> left;
   for (const mesh::Triangle& t : s.triangles) {
     const auto has = [&](int v) { return t[0] == v || t[1] == v || t[2] == v; };
@@ -143,7 +142,7 @@ RC_GTEST_PROP(Collapse, is_refused_for_the_quality_that_it_would_leave, ()) {
   const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.35)));
   const mesh::Surface& s = rock.surface;
   visit_places(s, lax(), [&](int a, int b, const CollapseVerdict& v) {
-    const double worst = worst_of(left_by(s, a, b, v.x_W)), floor = floor_of(s, a, b);
+    const double worst = worst_of(remaining_rock_of(s, a, b, v.x_W)), floor = floor_of(s, a, b);
     if (std::abs(worst - floor) < 1e-12) return;
     RC_ASSERT(v.refused == (worst < floor ? std::optional(Refusal::quality) : std::nullopt));
   });
@@ -156,7 +155,7 @@ RC_GTEST_PROP(Collapse, is_refused_for_the_longest_edge_that_it_would_make, ()) 
   MaintenanceLimits l = lax();
   l.longest_edge = *battery::number(0.4, 0.8);
   visit_places(s, l, [&](int a, int b, const CollapseVerdict& v) {
-    const std::vector<mesh::Facet> left = left_by(s, a, b, v.x_W);
+    const std::vector<mesh::Facet> left = remaining_rock_of(s, a, b, v.x_W);
     if (worst_of(left) < floor_of(s, a, b)) return;
     RC_ASSERT(v.refused == (longest_at(left, v.x_W) > l.longest_edge
                                 ? std::optional(Refusal::too_long)
@@ -174,7 +173,7 @@ double distance_from(const std::vector<mesh::Facet>& facets, const Vec3& x_W) {
 /// How far a collapse moves the surface: of the ends and the middles of the old edges from the new triangles, and of the
 /// middles of the new edges from the old ones.
 double strayed_by_hand(const mesh::Surface& s, int a, int b, const Vec3& x_W) {
-  const std::vector<mesh::Facet> left = left_by(s, a, b, x_W);
+  const std::vector<mesh::Facet> left = remaining_rock_of(s, a, b, x_W);
   std::vector<mesh::Facet> old;
   double farthest =
       std::max(distance_from(left, s.position(a)), distance_from(left, s.position(b)));

@@ -1,5 +1,3 @@
-#include "rock/maintain/fine_ring.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -8,13 +6,12 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "rock/maintain/limits.hpp"
 #include "rock/maintain/maintain.hpp"
-#include "rock/maintain/renumber.hpp"
 #include "rock/maintain/ring_notes.hpp"
-#include "rock/maintain/ring_spokes.hpp"
-#include "rock/maintain/star.hpp"
 #include "rock/maintain/touched_region.hpp"
 #include "rock/maintain/trim.hpp"
+#include "rock/start/space_order.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
@@ -91,7 +88,7 @@ RC_GTEST_PROP(FineRing, that_is_skipped_changes_no_repair, ()) {
   Cut c = any_cut();
   Rock other = c.rock;
   MaintenanceWorkspace work, without;
-  without.touched.fine_rings = FineRings::classified;
+  without.touched.fine_rings = RingSkipping::classified;
   for (int k = 0; k < 2; ++k) {
     MaintenanceReport report, slow;
     maintain(c.rock, c.limits, work, report);
@@ -207,7 +204,7 @@ void move_one(const std::vector<Maintained*>& all) {
   for (Maintained* m : all) {
     const int v = pick % m->rock.surface.vertex_slots();
     if (!m->rock.surface.is_alive(v) || m->rock.surface.is_boundary(v)) return;
-    if (by_cut) note_cut(m->rock, v);
+    if (by_cut) record_cut(m->rock, v);
     place_vertex(m->rock, v, m->rock.surface.position(v) + way);
   }
 }
@@ -246,8 +243,8 @@ Kind carry_out_any(Drilling& d, const std::vector<Maintained*>& all) {
 void require_right_notes(const Rock& rock) {
   const std::vector<std::uint16_t>& of = rock.notes.of;
   for (int v = 0; v < rock.surface.vertex_slots(); ++v)
-    if (rock.surface.is_alive(v) && (of[at(v)] & ring_known) != 0)
-      RC_ASSERT(of[at(v)] == look_at_ring(rock.surface, v, rock.notes.limits));
+    if (rock.surface.is_alive(v) && (of[at(v)] & ring_note_valid) != 0)
+      RC_ASSERT(of[at(v)] == compute_ring_note(rock.surface, v, rock.notes.limits));
 }
 
 void require_same(const Maintained& a, const Maintained& b) {
@@ -282,7 +279,7 @@ RC_GTEST_PROP(RingNotes, change_no_result_and_no_count, ()) {
   Drilling d;
   Maintained with{rock_of(d.scene)}, without = with, sometimes = with;
   without.work.old_notes = OldNotes::discarded;
-  without.work.touched.fine_rings = FineRings::classified;
+  without.work.touched.fine_rings = RingSkipping::classified;
   for (int k = 0; k < 12; ++k) {
     if (*battery::integer(0, 3) == 0) sometimes.rock.notes = {};
     if (carry_out_any(d, {&with, &without, &sometimes}) != Kind::maintain) continue;

@@ -1,5 +1,3 @@
-#include "rock/maintain/flip.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -10,10 +8,10 @@
 #include <vector>
 
 #include "mesh/measures.hpp"
-#include "rock/maintain/blunt.hpp"
 #include "rock/maintain/invariants.hpp"
+#include "rock/maintain/limits.hpp"
 #include "rock/maintain/maintain.hpp"
-#include "rock/maintain/star.hpp"
+#include "rock/maintain/operations.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 
 namespace tdbd::rock::flip_test {

@@ -269,7 +269,7 @@ RC_GTEST_PROP(TouchedRegion, has_every_touched_triangle_under_what_it_needs, ())
   Touched x;
   const mesh::Surface& s = x.rock.surface;
   TouchedRegion region;
-  region.fine_rings = FineRings::classified;
+  region.fine_rings = RingSkipping::classified;
   std::vector<int> unknown;
   begin_notes(x.rock, x.limits, OldNotes::used, unknown);
   classify_touched_triangles(x.rock, x.limits, region);

@@ -7,12 +7,10 @@
 
 #include "mesh/files/files.hpp"
 #include "reference/mesh/self_intersections.hpp"
-#include "rock/maintain/bisect.hpp"
 #include "rock/maintain/collapse.hpp"
-#include "rock/maintain/flip.hpp"
 #include "rock/maintain/invariants.hpp"
 #include "rock/maintain/maintain.hpp"
-#include "rock/maintain/smooth.hpp"
+#include "rock/maintain/operations.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/battery/shapes.hpp"

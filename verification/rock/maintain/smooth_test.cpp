@@ -1,5 +1,3 @@
-#include "rock/maintain/smooth.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -11,9 +9,10 @@
 #include "mesh/measures.hpp"
 #include "reference/mesh/hausdorff.hpp"
 #include "rock/maintain/invariants.hpp"
+#include "rock/maintain/limits.hpp"
+#include "rock/maintain/operations.hpp"
 #include "rock/maintain/ring_notes.hpp"
-#include "rock/maintain/star.hpp"
-#include "rock/maintain/turned_over.hpp"
+#include "rock/maintain/untangle.hpp"
 #include "rock/rock.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/rock/bumpy_sheet.hpp"

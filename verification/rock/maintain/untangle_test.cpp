@@ -47,7 +47,7 @@ mesh::TriangleMesh tangled_mesh(std::uint64_t seed) {
 Rock tangled(const mesh::TriangleMesh& m) {
   Rock rock = rock_of(m);
   touch(rock, middle);
-  touch_neighbours(rock, middle);
+  mark_neighbours_changed(rock, middle);
   return rock;
 }
 

@@ -1,5 +1,3 @@
-#include "rock/maintain/waiting.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -14,8 +12,9 @@
 #include "reference/mesh/self_intersections.hpp"
 #include "rock/maintain/invariants.hpp"
 #include "rock/maintain/maintain.hpp"
-#include "rock/maintain/renumber.hpp"
+#include "rock/maintain/touched_region.hpp"
 #include "rock/maintain/trim.hpp"
+#include "rock/start/space_order.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
@@ -163,7 +162,7 @@ RC_GTEST_PROP(Waiting, is_as_long_when_cuts_are_counted_in_parts, ()) {
   finer.rest *= parts;
   finer.longest_wait *= parts;
   Rock divided = d.rock;
-  divide_cuts(divided, parts);
+  scale_cut_counts(divided, parts);
   for (int v = 0; v < d.rock.surface.vertex_slots(); ++v)
     RC_ASSERT(is_due(d.rock, limits, v) == is_due(divided, finer, v));
 }
@@ -182,7 +181,7 @@ MaintenanceLimits patient() {
 /// As a cut does.
 void move_by_a_cut(Rock& rock, int v, const Vec3& x_W) {
   ++rock.cuts;
-  note_cut(rock, v);
+  record_cut(rock, v);
   place_vertex(rock, v, x_W);
 }
 

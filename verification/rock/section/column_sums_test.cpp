@@ -14,7 +14,7 @@
 
 #include "core/random.hpp"
 #include "reference/rock/section_by_columns.hpp"
-#include "rock/section/face_strips.hpp"
+#include "rock/section/face_columns.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 

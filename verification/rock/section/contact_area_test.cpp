@@ -8,12 +8,11 @@
 #include <numbers>
 #include <vector>
 
-#include "bit/cutter/cutter_frame.hpp"
-#include "bit/cutter/cutter_parts.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "mesh/measures.hpp"
 #include "reference/mesh/convex_hull.hpp"
-#include "rock/section/engaged_ends.hpp"
-#include "rock/section/face_outline.hpp"
+#include "rock/section/column_sums.hpp"
+#include "rock/section/face_columns.hpp"
 #include "rock/section/section.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"

@@ -8,9 +8,9 @@
 #include <numbers>
 #include <vector>
 
-#include "core/angles.hpp"
 #include "core/observed_order.hpp"
 #include "core/random.hpp"
+#include "core/types.hpp"
 #include "mesh/measures.hpp"
 #include "reference/mesh/convex_hull.hpp"
 #include "reference/rock/contact_polygon.hpp"

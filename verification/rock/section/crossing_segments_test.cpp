@@ -11,8 +11,7 @@
 
 #include "core/random.hpp"
 #include "mesh/measures.hpp"
-#include "rock/section/crossed_edges.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/battery/shapes.hpp"
@@ -323,7 +322,7 @@ TEST(CrossingSegments, pass_a_vertex_of_many_neighbours_as_often_as_it_is_crosse
 
 namespace tdbd::rock::crossed_edges_test {
 
-/// Emptied now and then, and far more than it has room for at first.
+/// Emptied now and then, and far more than it has margin for at first.
 RC_GTEST_PROP(CrossedEdges, are_a_set_that_grows_and_is_emptied, ()) {
   CrossedEdges edges;
   for (int k = 0; k < 4; ++k) {

@@ -6,13 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bit/cutter/cutter_frame.hpp"
-#include "bit/cutter/cutter_parts.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "bit/wear/worn_piece.hpp"
-#include "core/angles.hpp"
-#include "mesh/search/inside.hpp"
+#include "core/types.hpp"
+#include "mesh/search/triangle_tree.hpp"
 #include "reference/rock/plane_section.hpp"
-#include "rock/section/flat_behind.hpp"
+#include "rock/section/face_columns.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
 
@@ -150,7 +149,7 @@ RC_GTEST_PROP(RubbingContact, of_a_convex_part_is_bitwise_that_of_all_triangles,
   for (int v = 0; v < rock.surface.vertex_slots(); ++v)
     if (!rock.surface.is_boundary(v))
       place_vertex(rock, v, rock.surface.position(v) + Vec3(0, 0, random.uniform(-0.05, 0.05)),
-                   Teller::journal);
+                   Notify::journal);
   const mesh::TriangleMesh m = *battery::convex_polyhedron();
   const Pose X_WP = *battery::pose(0.8);
   const ContactPatch c = contact_of(rock, part_of(m), X_WP, 0.2);
@@ -219,7 +218,7 @@ TEST(RubbingContact, notices_a_vertex_that_the_cut_moved_into_a_part) {
     if ((rock.surface.position(v) - inside).norm() <
         (rock.surface.position(nearest) - inside).norm())
       nearest = v;
-  place_vertex(rock, nearest, inside, Teller::mover);
+  place_vertex(rock, nearest, inside, Notify::none);
   RubbingPart not_told = l;
   EXPECT_EQ(rubbing_contact(rock, not_told, X_WP, 0.15, cut, work).area, 0.0);
   cut.groups.emplace_back().moved_in_step = {nearest};

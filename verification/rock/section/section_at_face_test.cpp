@@ -10,8 +10,8 @@
 
 #include "bit/pdc/pdc_bit.hpp"
 #include "bit/profile/exposure_profile.hpp"
-#include "core/angles.hpp"
 #include "core/observed_order.hpp"
+#include "core/types.hpp"
 #include "reference/bit/radial_plane_engagement.hpp"
 #include "rock/cut/cut_rock.hpp"
 #include "rock/maintain/maintain.hpp"
@@ -142,7 +142,7 @@ TEST(SectionAtFace, is_nothing_where_the_line_falls_below_nothing) {
   const Section s = section(rock, section_face(face), X_WB, along_x, at_face, work);
   EXPECT_EQ(s.area, 0.0);
   EXPECT_EQ(s.engaged_edge, 0.0);
-  EXPECT_EQ(s.sight, Sight::clear);
+  EXPECT_EQ(s.sight, OutlineStatus::clear);
 }
 
 constexpr double turn = 2.0 * std::numbers::pi, mm = 1e-3;

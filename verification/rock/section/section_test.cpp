@@ -244,7 +244,7 @@ RC_GTEST_PROP(Section, from_a_list_of_near_vertices_is_that_from_the_grid, ()) {
   for (int k = 0; k < 3; ++k)
     all.slabs[at(k)] = {Vec3::Unit(k), all.box.lo[k] - 9.0, all.box.hi[k] + 9.0};
   rock.near_lists.resize(1);
-  bring_up_to_date(rock.grid, {all.box, {}, {}, all}, {}, rock.near_lists[0]);
+  update_near_list(rock.grid, {all.box, {}, {}, all}, {}, rock.near_lists[0]);
   RC_ASSERT(covers(rock.near_lists[0], rock.grid, all));
   place.near_list = 0;
   const Section from_list = section_of(rock, a.face, a.X_WB, a.twist, place);
@@ -288,7 +288,7 @@ RC_GTEST_PROP(Section, follows_the_outline_past_long_edges, ()) {
   const Rock rock = rock_of(a.rock_W, 0.2);
   const Section far = section_of(rock, a.face, a.X_WB, a.twist, {lead, whole});
   const Section near = section_of(rock, a.face, a.X_WB, a.twist, {lead, 0.45 * whole});
-  if (near.sight == Sight::none) return;
+  if (near.sight == OutlineStatus::none) return;
   RC_ASSERT(near.area == far.area);
   RC_ASSERT(near.engaged_edge == far.engaged_edge);
 }
@@ -327,10 +327,10 @@ TEST(Section, reports_rock_that_reaches_over_the_face_or_is_out_of_sight) {
   const auto sight_at = [&](double z) {
     return section_of(rock, face, {Mat3::Identity(), Vec3(0, 0, z)}, along_x, {0.12, 0.15}).sight;
   };
-  EXPECT_EQ(sight_at(-0.25), Sight::clear);
-  EXPECT_EQ(sight_at(-0.9), Sight::none);
-  EXPECT_EQ(sight_at(0.4), Sight::over_the_top);
-  EXPECT_EQ(sight_at(0.9), Sight::none);
+  EXPECT_EQ(sight_at(-0.25), OutlineStatus::clear);
+  EXPECT_EQ(sight_at(-0.9), OutlineStatus::none);
+  EXPECT_EQ(sight_at(0.4), OutlineStatus::over_the_top);
+  EXPECT_EQ(sight_at(0.9), OutlineStatus::none);
 }
 
 /// The outline may reach a quarter of the reach over the face, which is doubled for rock that the
@@ -343,8 +343,8 @@ TEST(Section, counts_a_quarter_of_the_reach_over_the_face_as_its_own) {
     const Vec3 p_W(0.0, 0.0, height_F * std::cos(rake));
     return section_of(rock, face, {Mat3::Identity(), p_W}, along_x, {0.12, 0.15}).sight;
   };
-  EXPECT_EQ(sight_at(0.99 * top), Sight::clear);
-  EXPECT_EQ(sight_at(1.01 * top), Sight::over_the_top);
+  EXPECT_EQ(sight_at(0.99 * top), OutlineStatus::clear);
+  EXPECT_EQ(sight_at(1.01 * top), OutlineStatus::over_the_top);
 }
 
 /// Of a ridge that runs along the path only its top is over the face: one end of two segments.
@@ -359,8 +359,8 @@ TEST(Section, reports_a_ridge_that_reaches_over_the_face) {
         .sight;
   };
   constexpr double top = radius + 0.25 * 0.15;
-  EXPECT_EQ(sight_at(0.99 * top), Sight::clear);
-  EXPECT_EQ(sight_at(1.01 * top), Sight::over_the_top);
+  EXPECT_EQ(sight_at(0.99 * top), OutlineStatus::clear);
+  EXPECT_EQ(sight_at(1.01 * top), OutlineStatus::over_the_top);
 }
 
 }  // namespace tdbd::rock::section_test

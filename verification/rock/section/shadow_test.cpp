@@ -1,13 +1,12 @@
-#include "rock/section/shadow.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "mesh/search/inside.hpp"
+#include "mesh/search/triangle_tree.hpp"
 #include "reference/mesh/convex_hull.hpp"
+#include "rock/section/contact_end.hpp"
 #include "rock/section/pressing_part.hpp"
 #include "rock/section/underside.hpp"
 #include "verification/battery/generators.hpp"
@@ -78,7 +77,7 @@ RC_GTEST_PROP(Shadow, of_a_way_leaves_through_the_first_plane, ()) {
   for (std::size_t i = 0; i < w.solid.planes; ++i)
     if (const double across = mesh::normal(w.solid, i).dot(w.e); across > 0.0)
       t = std::min(t, -out_of(w.solid, i, w.U) / across);
-  const Exit exit = exit_of_way(w.solid, w.U, w.e, w.U);
+  const Exit exit = exit_of_line(w.solid, w.U, w.e, w.U);
   RC_ASSERT(std::abs(exit.t - t) < rounding);
   if (t < 1.0) RC_ASSERT(std::abs(out_of(w.solid, exit.plane, w.point(exit.t, 0.0))) < rounding);
 }
@@ -249,19 +248,19 @@ RC_GTEST_PROP(Underside, excludes_no_point_of_the_part, ()) {
     const Vec3 x(*battery::number(-1.5, 1.5), *battery::number(-1.5, 1.5),
                  *battery::number(-1.5, 1.5));
     if (!mesh::inside(tree, x)) continue;
-    RC_ASSERT(may_hold(u, x));
-    RC_ASSERT(may_hold(u, Around::vertex, x, 0.0));
+    RC_ASSERT(may_contain(u, x));
+    RC_ASSERT(may_contain(u, Around::vertex, x, 0.0));
     RC_ASSERT(
-        may_hold(u, static_cast<Single>(x.head<2>().squaredNorm()), static_cast<Single>(x.z())));
+        may_contain(u, static_cast<Single>(x.head<2>().squaredNorm()), static_cast<Single>(x.z())));
     const Vec3 within(*battery::number(-0.5, 0.5), *battery::number(-0.5, 0.5),
                       *battery::number(-0.5, 0.5));
-    RC_ASSERT(may_hold(u, Around::cell, x + cell * within, 0.5 * cell));
-    RC_ASSERT(may_hold(u, Around::tile, x + 4.0 * cell * within, 2.0 * cell));
+    RC_ASSERT(may_contain(u, Around::cell, x + cell * within, 0.5 * cell));
+    RC_ASSERT(may_contain(u, Around::tile, x + 4.0 * cell * within, 2.0 * cell));
   }
 }
 
 /// Where a vertex is excluded, so is all that the part, turned about its axis by any angle and moved by
-/// less than the room, can hold.
+/// less than the margin, can hold.
 RC_GTEST_PROP(Underside, excludes_what_the_part_could_reach_within_its_room, ()) {
   const mesh::TriangleMesh m = any_part();
   const Underside u = underside_of(m, *battery::number(0.05, 0.2));
@@ -271,20 +270,20 @@ RC_GTEST_PROP(Underside, excludes_what_the_part_could_reach_within_its_room, ())
   for (int k = 0; k < 200; ++k) {
     const Vec3 x(*battery::number(-1.5, 1.5), *battery::number(-1.5, 1.5),
                  *battery::number(-1.5, 1.5));
-    if (!may_hold(u, Around::vertex, x, 0.0))
-      RC_ASSERT(!mesh::inside(tree, turn * (x + u.room * away)));
+    if (!may_contain(u, Around::vertex, x, 0.0))
+      RC_ASSERT(!mesh::inside(tree, turn * (x + u.margin * away)));
   }
 }
 
-/// Below a block and beside it, by more than columns and room take.
+/// Below a block and beside it, by more than columns and margin take.
 TEST(Underside, excludes_what_is_below_or_beside) {
   const Underside u = underside_of(battery::box(Vec3(-0.5, -0.5, -1.0), Vec3(0.5, 0.5, 0.0)), 0.02);
-  EXPECT_FALSE(may_hold(u, Vec3(0.1, 0.2, 0.001)));
-  EXPECT_FALSE(may_hold(u, Vec3(0.52, 0.0, -0.5)));
-  EXPECT_TRUE(may_hold(u, Vec3(0.1, 0.2, -0.001)));
-  EXPECT_FALSE(may_hold(u, Around::vertex, Vec3(0.1, 0.2, 0.006), 0.0));
-  EXPECT_FALSE(may_hold(u, Around::vertex, Vec3(0.75, 0.0, -0.5), 0.0));
-  EXPECT_TRUE(may_hold(u, Around::vertex, Vec3(0.1, 0.2, 0.004), 0.0));
+  EXPECT_FALSE(may_contain(u, Vec3(0.1, 0.2, 0.001)));
+  EXPECT_FALSE(may_contain(u, Vec3(0.52, 0.0, -0.5)));
+  EXPECT_TRUE(may_contain(u, Vec3(0.1, 0.2, -0.001)));
+  EXPECT_FALSE(may_contain(u, Around::vertex, Vec3(0.1, 0.2, 0.006), 0.0));
+  EXPECT_FALSE(may_contain(u, Around::vertex, Vec3(0.75, 0.0, -0.5), 0.0));
+  EXPECT_TRUE(may_contain(u, Around::vertex, Vec3(0.1, 0.2, 0.004), 0.0));
 }
 
 }  // namespace tdbd::rock::underside_test

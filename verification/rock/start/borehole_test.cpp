@@ -13,7 +13,6 @@
 #include "mesh/check/check.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/surface.hpp"
-#include "rock/start/rough_bottom.hpp"
 #include "rock/start/space_order.hpp"
 #include "verification/battery/generators.hpp"
 

@@ -5,12 +5,11 @@
 #include <cmath>
 #include <sstream>
 
+#include "bit/bit.hpp"
 #include "bit/cone/cone_measures.hpp"
-#include "bit/cone/cone_rolling.hpp"
-#include "bit/mass_properties.hpp"
 #include "core/error.hpp"
 #include "core/temporary_file.hpp"
-#include "forces/laws/friction.hpp"
+#include "forces/laws/contact_laws.hpp"
 #include "simulation/case/case.hpp"
 
 namespace tdbd::simulation::case_drilling_test {

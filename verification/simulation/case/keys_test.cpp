@@ -13,7 +13,7 @@
 #include "simulation/case/case_kind.hpp"
 #include "simulation/case/force_keys.hpp"
 #include "simulation/case/key_tables.hpp"
-#include "simulation/chain/chain_case.hpp"
+#include "simulation/chain/chain_simulation.hpp"
 #include "simulation/rotate/rotate_case.hpp"
 #include "verification/simulation/case/covering_cases.hpp"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "core/random.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 #include "simulation/case/step_check.hpp"
 
 namespace tdbd::simulation::motion_test {

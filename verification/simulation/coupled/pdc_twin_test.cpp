@@ -1,6 +1,6 @@
 #include "verification/simulation/coupled/pdc_twin.hpp"
 
-#include "core/angles.hpp"
+#include "core/types.hpp"
 #include "verification/simulation/coupled/agreement.hpp"
 
 /// Bit B drills and sticks and slips, against a bit whose rock is its own history: what a cutter meets

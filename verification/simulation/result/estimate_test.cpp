@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "simulation/result/run.hpp"
-#include "simulation/start/rock_memory.hpp"
+#include "simulation/start/rock_start.hpp"
 #include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::simulation::estimate_test {
@@ -78,7 +78,7 @@ TEST(RunEstimate, adds_up_what_its_files_hold) {
       const double steps = static_cast<double>(c.time.steps);
       const mesh::Surface& rock = s.state.rock.surface;
       const double triangles =
-          static_cast<double>(rock.triangle_count()) + need_of_new_wall(c).triangles;
+          static_cast<double>(rock.triangle_count()) + new_wall_requirements(c).triangles;
       double of_bit = 0.0;
       for (const bit::Part& p : c.bit.parts)
         of_bit += static_cast<double>(p.mesh_P.triangles.size());
@@ -104,7 +104,7 @@ TEST(RunEstimate, adds_up_memory_of_triangles_and_cells) {
   mesh::Box box;
   for (int v = 0; v < s.state.rock.surface.vertex_slots(); ++v)
     if (s.state.rock.surface.is_alive(v)) box.add(s.state.rock.surface.position(v));
-  const double cells = need_of(0.0, box, 0.008).cells + need_of_new_wall(c).cells;
+  const double cells = rock_requirements(0.0, box, 0.008).cells + new_wall_requirements(c).cells;
   const RunEstimate e = estimate(c, s);
   EXPECT_NEAR(e.memory_bytes / (250.0 * e.triangles + 4.2 * cells), 1.0, 1e-14);
 }

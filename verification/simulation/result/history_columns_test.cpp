@@ -16,10 +16,11 @@ const std::vector<HistoryPart> parts{{"cutter-1/face", "face"}, {"cone-1/tooth-1
 /// A step in which no two numbers are alike.
 struct Step {
   std::array<double, 2> volumes{1e-9, 2e-9}, angles{-0.3, -0.4}, speeds{-5.0, -6.0};
-  std::array<rock::Section, 2> sections{rock::Section{1e-6, Vec3(0.1, 0.2, 0.3), 4e-3, 0.5, 6e-7,
-                                                      rock::Sight::clear, Vec3(0.7, 0.8, 0.9)},
-                                        rock::Section{2e-6, Vec3(1.1, 1.2, 1.3), 5e-3, 0.6, 8e-7,
-                                                      rock::Sight::clear, Vec3(1.7, 1.8, 1.9)}};
+  std::array<rock::Section, 2> sections{
+      rock::Section{1e-6, Vec3(0.1, 0.2, 0.3), 4e-3, 0.5, 6e-7, rock::OutlineStatus::clear,
+                    Vec3(0.7, 0.8, 0.9)},
+      rock::Section{2e-6, Vec3(1.1, 1.2, 1.3), 5e-3, 0.6, 8e-7, rock::OutlineStatus::clear,
+                    Vec3(1.7, 1.8, 1.9)}};
   std::array<rock::PartContact, 2> contacts{rock::PartContact{{3e-6}, {}, 0.0},
                                             rock::PartContact{{5e-6}, {}, 0.0}};
   BitLoads loads;

@@ -89,10 +89,10 @@ fs::path write_measures(const fs::path& where) {
   History history(where / "history.nc", parts, extent);
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const std::array<rock::Section, 2> sections{
-      rock::Section{1e-6, Vec3(0.1, 0.2, 0.3), 4e-3, 0.5, 6e-7, rock::Sight::clear,
+      rock::Section{1e-6, Vec3(0.1, 0.2, 0.3), 4e-3, 0.5, 6e-7, rock::OutlineStatus::clear,
                     Vec3(0.7, 0.8, 0.9)},
       rock::Section{unknown, Vec3::Constant(unknown), unknown, unknown, unknown,
-                    rock::Sight::over_the_top, Vec3::Constant(unknown)}};
+                    rock::OutlineStatus::over_the_top, Vec3::Constant(unknown)}};
   const std::array<double, 2> volumes{1e-9, 2e-9};
   const std::array<rock::PartContact, 2> contacts{rock::PartContact{{3e-6}, {}, 0.0},
                                                   rock::PartContact{{4e-6}, {}, 0.0}};

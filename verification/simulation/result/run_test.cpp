@@ -6,7 +6,7 @@
 #include <map>
 #include <sstream>
 
-#include "rotation/rotation_vector.hpp"
+#include "rotation/screw.hpp"
 #include "verification/simulation/mesh_bit.hpp"
 #include "verification/simulation/result_files.hpp"
 

@@ -110,7 +110,7 @@ TEST(Summary, timing_of_steps_is_their_mean_and_their_median) {
 
 TEST(Summary, a_mean_over_no_step_is_null) {
   RunSummary s = third();
-  s.loads = LoadFigures{};
+  s.loads = LoadStatisticsSummary{};
   s.cones = {{.name = "cone-1", .rolling_ratio_gage_row = 1.4}};
   s.faces = {{.name = "cutter-1"}};
   const Json without = Json::parse(to_json(s));

@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "io/archive.hpp"
-#include "rotation/swing_twist.hpp"
+#include "rotation/quaternion.hpp"
 #include "simulation/rotate/rotate_case.hpp"
 #include "verification/core/temporary_folder.hpp"
 #include "verification/simulation/mesh_bit.hpp"

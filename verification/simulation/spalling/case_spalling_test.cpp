@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/angles.hpp"
 #include "core/error.hpp"
+#include "core/types.hpp"
 #include "simulation/case/case.hpp"
 
 namespace tdbd::simulation::case_spalling_test {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/angles.hpp"
+#include "core/types.hpp"
 #include "reference/rock/spalled_groove.hpp"
 #include "simulation/case/case.hpp"
 #include "simulation/step/simulation.hpp"

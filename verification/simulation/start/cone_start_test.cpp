@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "bit/cone/part_pose.hpp"
+#include "bit/cone/cone_bit.hpp"
 #include "simulation/start/start_check.hpp"
 #include "simulation/step/simulation.hpp"
 #include "verification/simulation/mesh_bit.hpp"
@@ -25,7 +25,7 @@ Vec3 moved(const Vec3& x_B, double up, double out) {
 /// In the open, or within `slack` of it: up, and to one side where a flank is steep.
 bool is_free(const mesh::Surface& rock, const Vec3& x_B, double slack) {
   for (const double out : {0.0, -slack, slack})
-    if (cover_above(rock, moved(x_B, slack, out)) == 0.0) return true;
+    if (rock_height_above(rock, moved(x_B, slack, out)) == 0.0) return true;
   return false;
 }
 

@@ -1,5 +1,3 @@
-#include "simulation/start/reach.hpp"
-
 #include <gtest/gtest.h>
 
 #include "simulation/start/rock_start.hpp"
@@ -11,7 +9,7 @@ double gap(const std::vector<std::string>& settings) {
   std::vector<std::string> all{"rock.edge_length='8 mm'", "time.revolutions=2"};
   all.insert(all.end(), settings.begin(), settings.end());
   const Case c = read_case(TDBD_SOURCE_DIR "/cases/bit-b-steady.toml", all);
-  return gap_on_the_way(c, start_rock(c).surface);
+  return gap_along_path(c, start_rock(c).surface);
 }
 
 TEST(GapOnTheWay, is_nothing_of_a_bit_in_its_hole) { EXPECT_EQ(gap({}), 0.0); }

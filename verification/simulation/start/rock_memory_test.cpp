@@ -1,5 +1,3 @@
-#include "simulation/start/rock_memory.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "simulation/start/rock_start.hpp"
 
 namespace tdbd::simulation::rock_memory_test {
 
@@ -51,20 +50,20 @@ TEST(Reach, holds_every_row_of_a_path) {
 }
 
 /// Equilateral triangles, sqrt(3)/4 of the edge squared; cells of two edges.
-TEST(RockNeed, is_that_of_equilateral_triangles_and_of_the_cells_of_the_box) {
+TEST(RockRequirements, is_that_of_equilateral_triangles_and_of_the_cells_of_the_box) {
   mesh::Box box;
   box.add(Vec3::Zero());
   box.add(Vec3(0.2, 0.4, 0.6));
-  const RockNeed need = need_of(std::sqrt(3.0), box, 0.1);
+  const RockRequirements need = rock_requirements(std::sqrt(3.0), box, 0.1);
   EXPECT_NEAR(need.triangles, 400.0, 1e-12);
   EXPECT_NEAR(need.cells, 2.0 * 3.0 * 4.0, 1e-12);
   EXPECT_DOUBLE_EQ(need.bytes, bytes_of_triangles(400.0) + 4.2 * 24.0);
 }
 
 /// The cylinder that the gage leaves.
-TEST(RockNeed, of_the_new_wall_is_that_of_the_gages_cylinder) {
+TEST(RockRequirements, of_the_new_wall_is_that_of_the_gages_cylinder) {
   const Case c = drilling(2.0);
-  EXPECT_DOUBLE_EQ(need_of_new_wall(c).triangles,
+  EXPECT_DOUBLE_EQ(new_wall_requirements(c).triangles,
                    2.0 * pi * 0.1 * 2.0 / (std::sqrt(3.0) / 4.0 * 1e-6));
 }
 

@@ -15,7 +15,7 @@ mesh::TriangleMesh box() { return battery::box({0, 0, 0}, {1, 1, 1}); }
 
 std::filesystem::path write_stamped(const std::vector<std::string>& comments) {
   const std::filesystem::path path = test_folder() / "rock.ply";
-  WholeFile file(path);
+  AtomicFile file(path);
   mesh::write_ply(file.stream(), box(), comments);
   file.commit();
   return path;

@@ -9,7 +9,6 @@
 #include "mesh/files/files.hpp"
 #include "rock/start/borehole.hpp"
 #include "simulation/mesh_bit.hpp"
-#include "simulation/start/rock_memory.hpp"
 
 namespace tdbd::simulation::rock_start_test {
 
@@ -52,7 +51,8 @@ TEST(RockOfAProfile, needs_room_for_all_around_its_axis) {
   box.add(Vec3(-1.0, -1.0, -0.9));
   box.add(Vec3(1.0, 1.0, 0.1));
   const double area = 3.0 * std::numbers::pi;  // the disc, and the cylinder's wall
-  const RockNeed rock = need_of(area, box, c.rock.edge_length), wall = need_of_new_wall(c);
+  const RockRequirements rock = rock_requirements(area, box, c.rock.edge_length),
+                         wall = new_wall_requirements(c);
   const std::string expected = fmt::format("which makes {:.1e} triangles and {:.1e} cells of rock",
                                            rock.triangles + wall.triangles, rock.cells);
   const std::string found = refusal(c);

@@ -14,16 +14,16 @@ mesh::Surface bowl() {
 
 TEST(CoverAbove, is_nothing_in_the_hole) {
   for (const Vec3& x : {Vec3(0, 0, 0.049), Vec3(0.05, 0.03, 0.03), Vec3(0.09, 0, -1)})
-    EXPECT_EQ(cover_above(bowl(), x), 0.0);
+    EXPECT_EQ(rock_height_above(bowl(), x), 0.0);
 }
 
 TEST(CoverAbove, is_the_depth_below_the_bottom) {
   for (const Vec3& x : {Vec3(0, 0, 0.06), Vec3(0.05, 0.03, 0.06), Vec3(0.01, 0, 0.06)})
-    EXPECT_NEAR(cover_above(bowl(), x), 0.01, 1e-15);
+    EXPECT_NEAR(rock_height_above(bowl(), x), 0.01, 1e-15);
 }
 
 TEST(CoverAbove, is_nothing_where_there_is_no_surface_above) {
-  EXPECT_EQ(cover_above(bowl(), Vec3(0.2, 0, 0.06)), 0.0);
+  EXPECT_EQ(rock_height_above(bowl(), Vec3(0.2, 0, 0.06)), 0.0);
 }
 
 /// Below a ledge the open is what lies under its lower face, and rock what lies in it.
@@ -31,10 +31,10 @@ TEST(CoverAbove, knows_a_ledge_from_the_open_below_it) {
   using rock::MeridianPoint;
   const mesh::Surface hollow = mesh::make_surface(rock::borehole(
       {{0.0, 0.1}, {0.1, 0.1}, {0.1, 0.08}, {0.05, 0.07}, {0.05, 0.05}, {0.1, 0.04}}, 0.005));
-  EXPECT_EQ(cover_above(hollow, Vec3(0.08, 0.0, 0.09)), 0.0);
-  EXPECT_GT(cover_above(hollow, Vec3(0.08, 0.0, 0.06)), 0.01);
-  EXPECT_GT(cover_above(hollow, Vec3(0.08, 0.0, 0.11)), 0.01);
-  EXPECT_EQ(cover_above(hollow, Vec3(0.0, 0.0, 0.06)), 0.0);
+  EXPECT_EQ(rock_height_above(hollow, Vec3(0.08, 0.0, 0.09)), 0.0);
+  EXPECT_GT(rock_height_above(hollow, Vec3(0.08, 0.0, 0.06)), 0.01);
+  EXPECT_GT(rock_height_above(hollow, Vec3(0.08, 0.0, 0.11)), 0.01);
+  EXPECT_EQ(rock_height_above(hollow, Vec3(0.0, 0.0, 0.06)), 0.0);
 }
 
 /// Every face against the point, none left out.
@@ -63,7 +63,7 @@ RC_GTEST_PROP(CoversAbove, are_those_of_every_point_against_every_face, ()) {
   const auto n = static_cast<std::size_t>(*rc::gen::inRange(0, 40));
   const auto upto = [](int mm) { return 1e-3 * *rc::gen::inRange(-mm, mm + 1); };
   for (std::size_t i = 0; i < n; ++i) points.emplace_back(upto(120), upto(120), 0.08 + upto(40));
-  const std::vector<double> covers = covers_above(hollow, points);
+  const std::vector<double> covers = rock_heights_above(hollow, points);
   RC_ASSERT(covers.size() == n);
   for (std::size_t i = 0; i < n; ++i) RC_ASSERT(covers[i] == cover_by_all_faces(hollow, points[i]));
 }

@@ -86,7 +86,7 @@ TEST(GageTeeth, leave_the_best_wall_along_their_normals) {
     settings.insert(settings.end(), {"update.gage_teeth='" + rule + "'", "time.revolutions=16",
                                      "maintenance.rest=0"});
     const Simulation s = drilled(bit_r(settings));
-    const Wall w{intersections(s), mesh::quality_figures(s.state.rock.surface).least};
+    const Wall w{intersections(s), mesh::quality_statistics(s.state.rock.surface).least};
     fmt::print("gage_teeth = \"{}\": {} intersecting pairs, worst quality {:.4f}\n", rule, w.folds,
                w.quality);
     return w;

@@ -1,14 +1,11 @@
-#include "simulation/step/cone_motion.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 
 #include "bit/cone/cone_bit.hpp"
-#include "bit/cone/part_pose.hpp"
-#include "rotation/rotation_vector.hpp"
 #include "rotation/screw.hpp"
+#include "simulation/step/drive.hpp"
 #include "simulation/step/simulation.hpp"
 #include "verification/bit/cone_generate.hpp"
 #include "verification/simulation/wheel_bit.hpp"

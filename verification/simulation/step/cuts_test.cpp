@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bit/cutter/cutter_frame.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "simulation/step/simulation.hpp"
 
 namespace tdbd::simulation::cuts_test {

@@ -1,9 +1,8 @@
-#include "simulation/step/face_paths.hpp"
-
 #include <gtest/gtest.h>
 
-#include "bit/cutter/cutter_frame.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "simulation/case/case.hpp"
+#include "simulation/step/measure.hpp"
 
 namespace tdbd::simulation::face_paths_test {
 
@@ -87,8 +86,8 @@ TEST(FacePaths, are_those_of_the_step_when_faces_go_anywhere_fast) {
 /// The speed below which the faces' law slips; of no law there is none.
 TEST(FacePaths, creep_below_the_slip_speed_of_the_law) {
   const Case shipped = read_case(TDBD_SOURCE_DIR "/cases/drill-bit-b.toml", {});
-  EXPECT_EQ(creep_of_faces(shipped.bit, shipped.forces), creep_of_all(shipped.bit));
-  EXPECT_EQ(creep_of_faces(shipped.bit, ForcePlan{}),
+  EXPECT_EQ(creep_speeds(shipped.bit, shipped.forces), creep_of_all(shipped.bit));
+  EXPECT_EQ(creep_speeds(shipped.bit, ForcePlan{}),
             std::vector<double>(shipped.bit.cutters.size(), 0.0));
 }
 

@@ -128,7 +128,7 @@ TEST_P(PressedPads, satisfy_their_laws_and_agree_with_projected_gauss_seidel) {
     const ResistedMotion m = scene.motion();
     scene.work.u = scene.response.free;
     prepare(m, scene.work);
-    if (!find_resisted_velocity(m, scene.work).is_settled) {
+    if (!find_resisted_velocity(m, scene.work).has_converged) {
       ++unsettled;
       continue;
     }
@@ -178,7 +178,7 @@ TEST(PressedPads, settle_where_the_compliance_is_singular) {
       const ResistedMotion m = scene.motion();
       scene.work.u = scene.response.free;
       prepare(m, scene.work);
-      unsettled += find_resisted_velocity(m, scene.work).is_settled ? 0 : 1;
+      unsettled += find_resisted_velocity(m, scene.work).has_converged ? 0 : 1;
       worst_law = std::max(worst_law, misfit(scene));
       worst_velocity = std::max(worst_velocity, distance_from_reference(scene));
       const double bound = steepness(m, scene.work.u, scene.work);

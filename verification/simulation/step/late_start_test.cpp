@@ -1,5 +1,3 @@
-#include "simulation/step/late_start.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/tolerance.hpp"
 #include "simulation/step/simulation.hpp"
+#include "simulation/step/step.hpp"
 
 namespace tdbd::simulation::late_start_test {
 

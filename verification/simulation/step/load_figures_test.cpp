@@ -58,7 +58,7 @@ const Sums& two_steps() {
 
 /// Of a move: its way along z and its turn, over the time. Of a velocity: along z, and about the bit's
 /// axis, which here points along -y.
-TEST(LoadFigures, rates_are_displacements_over_time) {
+TEST(LoadStatisticsSummary, rates_are_displacements_over_time) {
   const Mat3 R = Eigen::AngleAxisd(0.5 * pi, Vec3::UnitX()).toRotationMatrix();
   const Move move{{R, Vec3(1.0, 2.0, 0.25)}, {R, Vec3(4.0, 5.0, 0.75)}, 0.125, 3.0, 0};
   EXPECT_EQ(rates_of(move).penetration, 4.0);
@@ -70,8 +70,8 @@ TEST(LoadFigures, rates_are_displacements_over_time) {
   EXPECT_NEAR(rates_of(v, move.X_WB1).rotary, -5.0, rounding);
 }
 
-TEST(LoadFigures, are_means_and_deviations_of_steps) {
-  const LoadFigures f = figures_of(small_bit(), two_steps().s, 5.0);
+TEST(LoadStatisticsSummary, are_means_and_deviations_of_steps) {
+  const LoadStatisticsSummary f = figures_of(small_bit(), two_steps().s, 5.0);
   EXPECT_EQ(f.steps, 2);
   EXPECT_NEAR(f.from, 4.98, rounding);
   EXPECT_EQ(f.to, 5.0);
@@ -85,8 +85,8 @@ TEST(LoadFigures, are_means_and_deviations_of_steps) {
 }
 
 /// 3 T/(D W); W/A + w T/(A v); the side force over the weight, in the bit's frame a quarter back.
-TEST(LoadFigures, have_the_ratios_of_drilling) {
-  const LoadFigures f = figures_of(small_bit(), two_steps().s, 5.0);
+TEST(LoadStatisticsSummary, have_the_ratios_of_drilling) {
+  const LoadStatisticsSummary f = figures_of(small_bit(), two_steps().s, 5.0);
   const double area = pi * 0.01;
   EXPECT_NEAR(f.aggressiveness, 3.0 * 20.0 / (0.2 * 1000.0), rounding);
   EXPECT_DOUBLE_EQ(f.specific_energy, 1000.0 / area + 12.0 * 20.0 / (area * 0.004));
@@ -95,8 +95,8 @@ TEST(LoadFigures, have_the_ratios_of_drilling) {
 }
 
 /// What a part removed is what its whole cutter did; parts without a force are left out.
-TEST(LoadFigures, have_every_part_with_a_force) {
-  const LoadFigures f = figures_of(small_bit(), two_steps().s, 5.0);
+TEST(LoadStatisticsSummary, have_every_part_with_a_force) {
+  const LoadStatisticsSummary f = figures_of(small_bit(), two_steps().s, 5.0);
   ASSERT_EQ(f.parts.size(), 2U);
   EXPECT_EQ(f.parts[0].name, "cutter-1/face");
   EXPECT_DOUBLE_EQ(f.parts[0].normal.mean, 1000.0);
@@ -108,8 +108,8 @@ TEST(LoadFigures, have_every_part_with_a_force) {
   EXPECT_NEAR(f.parts[1].removed, 1e-8, 1e-20);
 }
 
-TEST(LoadFigures, of_no_step_are_nothing) {
-  const LoadFigures f = figures_of(small_bit(), {}, 5.0);
+TEST(LoadStatisticsSummary, of_no_step_are_nothing) {
+  const LoadStatisticsSummary f = figures_of(small_bit(), {}, 5.0);
   EXPECT_EQ(f.steps, 0);
   EXPECT_EQ(f.aggressiveness, 0.0);
   EXPECT_EQ(f.specific_energy, 0.0);
@@ -117,7 +117,7 @@ TEST(LoadFigures, of_no_step_are_nothing) {
   EXPECT_TRUE(f.parts.empty());
 }
 
-TEST(LoadFigures, leave_a_trace) {
+TEST(LoadStatisticsSummary, leave_a_trace) {
   const Trace& t = two_steps().t;
   EXPECT_EQ(t.dt, 0.01);
   EXPECT_EQ(t.wob, (std::vector{900.0, 1100.0}));

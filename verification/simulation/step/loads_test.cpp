@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "bit/cutter/cutter_frame.hpp"
-#include "rotation/rotation_vector.hpp"
+#include "bit/cutter/cutter.hpp"
+#include "rotation/screw.hpp"
 #include "simulation/case/case.hpp"
 #include "verification/battery/generators.hpp"
 

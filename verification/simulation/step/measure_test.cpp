@@ -79,7 +79,7 @@ TEST(SectionsInTurn, count_once_each) {
   const FaceStatistics& faces = s.statistics.faces;
   ASSERT_EQ(faces.refused_deep + faces.refused_over_the_top, 0);
   for (std::size_t i = 0; i < faces.revolution.size(); ++i) {
-    const FaceSpreads& spreads = faces.revolution[i];
+    const FaceVariances& spreads = faces.revolution[i];
     EXPECT_EQ(spreads.area.count, 11) << i;  // in the first step, and ten times in its turn
     EXPECT_EQ(spreads.swept.count, spreads.area.count);
     EXPECT_EQ(spreads.removed.count, 41);
@@ -122,7 +122,7 @@ TEST(SectionsDeepInRock, are_refused_where_a_face_removes_what_it_sweeps) {
   ASSERT_EQ(deep.sections.size(), c.bit.cutters.size());
   for (std::size_t i = 0; i < deep.sections.size(); ++i) {
     if (c.bit.cutters[i].X_BC.p.head<2>().norm() < 0.02) continue;  // across the axis
-    EXPECT_EQ(deep.sections[i].sight, rock::Sight::none) << i;
+    EXPECT_EQ(deep.sections[i].sight, rock::OutlineStatus::none) << i;
     EXPECT_TRUE(std::isnan(deep.sections[i].area)) << i;
     EXPECT_EQ(open.sections[i].area, 0.0) << i;
   }
@@ -137,7 +137,7 @@ TEST(SectionsInTurn, are_refused_once_each) {
   m.removed = {1e-9};
   m.is_new = {1};
   m.sections[0].area = NAN;
-  m.sections[0].sight = rock::Sight::none;
+  m.sections[0].sight = rock::OutlineStatus::none;
   Move move;
   add(move, m, statistics);
   m.is_new = {0};

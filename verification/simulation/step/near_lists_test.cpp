@@ -49,7 +49,7 @@ void check_lists(const std::string& name, int steps) {
       if (list.changes < s.state.rock.grid.journal().first) continue;  // out of reach
       const rock::Region inside = widened(list.region_W, -1e-9);
       ASSERT_TRUE(holds(list.region_W, inside));  // otherwise it would be built again
-      bring_up_to_date(s.state.rock.grid, {{}, {}, {}, inside}, {}, list);
+      update_near_list(s.state.rock.grid, {{}, {}, {}, inside}, {}, list);
       ++lists;
       held += check_list(list, s.state.rock.surface);
     }

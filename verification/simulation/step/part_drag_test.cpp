@@ -1,9 +1,9 @@
-#include "simulation/step/part_drag.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <Eigen/Eigenvalues>
+
+#include "simulation/step/loads.hpp"
 
 namespace tdbd::simulation::part_drag_test {
 

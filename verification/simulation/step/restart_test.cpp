@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/random.hpp"
-#include "simulation/start/rock_memory.hpp"
+#include "simulation/start/rock_start.hpp"
 #include "simulation/step/simulation.hpp"
 #include "verification/simulation/restarted_cases.hpp"
 

@@ -79,7 +79,7 @@ TEST_P(StableSurface, keeps_its_promises) {
   const mesh::Surface& s = simulation_.state.rock.surface;
   EXPECT_EQ(reference::self_intersecting_pairs(mesh::compact(s)), 0U);
   EXPECT_LE(ledger_defect(simulation_), tolerance::ledger);
-  const auto [worst, one_percent] = mesh::quality_figures(s);
+  const auto [worst, one_percent] = mesh::quality_statistics(s);
   const double disturbed =
       simulation_.state.maintenance.volume_disturbed / simulation_.state.ledger.removed.value();
   const double worse = share_worse_than_made(s, case_.maintenance.worst_quality);

@@ -1,5 +1,3 @@
-#include "simulation/step/standing.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +10,7 @@
 #include "core/observed_order.hpp"
 #include "reference/dynamics/resisted_motion.hpp"
 #include "simulation/step/drive.hpp"
+#include "simulation/step/implicit_step.hpp"
 #include "simulation/step/step.hpp"
 
 namespace tdbd::simulation::standing_test {
@@ -57,10 +56,10 @@ ResistedMotion motion_of(const Case& c, const Simulation& s, const Move& move) {
           s.work.standing_work.response};
 }
 
-class Standing : public testing::TestWithParam<const char*> {};
+class ImplicitOutcome : public testing::TestWithParam<const char*> {};
 
 /// PDC, cones, and moving rock.
-INSTANTIATE_TEST_SUITE_P(Cases, Standing,
+INSTANTIATE_TEST_SUITE_P(Cases, ImplicitOutcome,
                          testing::Values("stick-slip", "drill-bit-r", "laboratory"),
                          [](const auto& tested) {
                            std::string name = tested.param;
@@ -87,7 +86,7 @@ double misfit(const PressedContact& c, const Vec3& v_W, double weight) {
   return worst / weight;
 }
 
-TEST_P(Standing, satisfies_the_laws_at_the_velocity_of_the_next_drift) {
+TEST_P(ImplicitOutcome, satisfies_the_laws_at_the_velocity_of_the_next_drift) {
   // of the weight, and that times 1 m; the search settles to 1e-9 in another measure
   constexpr double of_forces = 1.5e-8, of_torques = 5e-10, of_pressing = 1e-7;
   const Case c = standing(GetParam());
@@ -96,7 +95,7 @@ TEST_P(Standing, satisfies_the_laws_at_the_velocity_of_the_next_drift) {
   int stood = 0;
   for (int i = 0; i < 40; ++i) {
     const Move move = half_step(c, s);
-    if (s.work.standing.stands && s.work.standing.search.is_settled) {
+    if (s.work.standing.is_implicit && s.work.standing.search.has_converged) {
       const ResistedMotion m = motion_of(c, s, move);
       const ImplicitWork& found = s.work.standing_work.implicit;
       BitLoads laws;
@@ -118,7 +117,7 @@ TEST_P(Standing, satisfies_the_laws_at_the_velocity_of_the_next_drift) {
       ++stood;
     }
     const BitVelocity told = s.work.velocity;
-    const bool stands = s.work.standing.stands;
+    const bool stands = s.work.standing.is_implicit;
     kick(c, move, s.state, s.work);
     ++s.state.steps_done;
     maintain(c, s.state, s.work);
@@ -143,7 +142,7 @@ TEST(Stands, at_the_velocity_that_relaxation_finds) {
   Simulation s = start(c);
   drill(c, s, 60);
   Move move = half_step(c, s);
-  while (!(s.work.standing.stands && s.work.standing.search.is_settled)) {
+  while (!(s.work.standing.is_implicit && s.work.standing.search.has_converged)) {
     ASSERT_LT(s.state.steps_done, 100);
     kick(c, move, s.state, s.work);
     ++s.state.steps_done;
@@ -171,7 +170,7 @@ TEST(Stands, at_the_velocity_that_relaxation_finds) {
   EXPECT_LT((found - relaxed).norm(), bound * relaxed.norm());
 }
 
-TEST_P(Standing, takes_energy_by_every_part) {
+TEST_P(ImplicitOutcome, takes_energy_by_every_part) {
   const Case c = standing(GetParam());
   Simulation s = start(c);
   for (int i = 0; i < 80; ++i) {
@@ -291,9 +290,9 @@ TEST_P(Steepness, is_below_its_bound) {
     const Move move = half_step(c, s);
     const double bound = s.work.standing.steepness;
     if (bound <= 1.0 && !s.work.cuts.empty()) {
-      StandingWork& room = s.work.standing_work;
+      ImplicitStepWork& room = s.work.standing_work;
       dynamics::find_response(c.drilling.system, move.dt, *s.state.drive,
-                              dynamics::KicksLeft::closing_and_opening, s.work.drive,
+                              dynamics::RemainingKicks::closing_and_opening, s.work.drive,
                               room.responding, room.response);
       const ResistedMotion m = motion_of(c, s, move);
       prepare(m, room.implicit);
@@ -317,10 +316,10 @@ TEST_P(Steepness, is_how_far_an_explicit_impulse_goes_of_the_velocity) {
   int compared = 0;
   for (int i = 0; i < 5; ++i) {
     const Move move = half_step(c, s);
-    StandingWork& room = s.work.standing_work;
+    ImplicitStepWork& room = s.work.standing_work;
     dynamics::find_response(c.drilling.system, move.dt, *s.state.drive,
-                            dynamics::KicksLeft::closing_and_opening, s.work.drive, room.responding,
-                            room.response);
+                            dynamics::RemainingKicks::closing_and_opening, s.work.drive,
+                            room.responding, room.response);
     const ResistedMotion m = motion_of(c, s, move);
     prepare(m, room.implicit);
     const double found = steepness(m, m.response.free, room.implicit);

@@ -1,5 +1,3 @@
-#include "simulation/step/trimming.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

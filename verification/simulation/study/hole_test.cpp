@@ -1,8 +1,7 @@
-#include "simulation/study/hole.hpp"
-
 #include <gtest/gtest.h>
 
 #include "mesh/surface.hpp"
+#include "simulation/study/levels.hpp"
 #include "verification/battery/shapes.hpp"
 
 namespace tdbd::simulation::hole_test {

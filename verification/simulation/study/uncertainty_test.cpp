@@ -1,11 +1,10 @@
-#include "simulation/study/uncertainty.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <vector>
 
+#include "simulation/study/variable_convergence.hpp"
 #include "verification/battery/generators.hpp"
 
 namespace tdbd::simulation::uncertainty_test {

@@ -43,8 +43,8 @@ double error_of(const Problem& p, int windows, Given given) {
     const double time = (k % 2 == 0 ? 0.8 : 1.2) * mean;
     for (std::size_t i = 0; i < flats.size(); ++i)
       s.pieces[i].window = given == Given::as_height
-                               ? WornOff{0.0, wear_speed * time}
-                               : WornOff{wear_speed * flats[i].area * time, 0.0};
+                               ? WearAmount{0.0, wear_speed * time}
+                               : WearAmount{wear_speed * flats[i].area * time, 0.0};
     s.window_time = time;
     take_wear_step(p.solids, s, flats);
   }

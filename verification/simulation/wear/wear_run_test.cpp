@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "bit/mass_properties.hpp"
+#include "bit/bit.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "simulation/result/recorder.hpp"

@@ -15,7 +15,7 @@ namespace {
 constexpr double widest_turn = std::numbers::pi / 180;
 
 /// The data of the current step.
-struct StepInHand {
+struct BehrStepContext {
   BehrState& state;
   double dt;  ///< s, of the whole step
   const DragRock& rock;
@@ -23,7 +23,7 @@ struct StepInHand {
   BehrLoad& load;
 };
 
-CutterForce force_of(const StepInHand& s, std::size_t cutter, const BehrCut& cut) {
+CutterForce force_of(const BehrStepContext& s, std::size_t cutter, const BehrCut& cut) {
   if (cut.area == 0.0) return {};
   if (cut.is_backward) return flat_force(s.rock, cut.area);
   const BehrOptions& o = s.options;
@@ -35,7 +35,8 @@ CutterForce force_of(const StepInHand& s, std::size_t cutter, const BehrCut& cut
 }
 
 /// Sets the force of a cut, and the time for which it counts: until the tip is at the next plane.
-void load_cut(const StepInHand& s, const BehrWay& way, const BehrCrossing& crossing, BehrCut& cut) {
+void load_cut(const BehrStepContext& s, const BehrSegment& way, const BehrCrossing& crossing,
+              BehrCut& cut) {
   const CutterRim& rim = s.state.rims[crossing.cutter];
   const SpokePlane& plane = s.state.planes[at(crossing.plane)];
   const BitPlace place = way.at(crossing.when);
@@ -52,8 +53,8 @@ void load_cut(const StepInHand& s, const BehrWay& way, const BehrCrossing& cross
 }
 
 /// Adds the force of a cutter's cut for this time, s.
-void add_for(const StepInHand& s, const BitPlace& place, std::size_t cutter, const BehrCut& cut,
-             double time) {
+void add_for(const BehrStepContext& s, const BitPlace& place, std::size_t cutter,
+             const BehrCut& cut, double time) {
   if (!(time > 0.0) || cut.area == 0.0) return;
   const double share = time / s.dt;
   const Vec3 F_W = share * turned(place, cut.force_B);
@@ -67,7 +68,8 @@ void add_for(const StepInHand& s, const BitPlace& place, std::size_t cutter, con
 }
 
 /// Counts a cutter's force up to a time of the segment.
-void count_until(const StepInHand& s, const BehrWay& way, std::size_t cutter, double time) {
+void count_until(const BehrStepContext& s, const BehrSegment& way, std::size_t cutter,
+                 double time) {
   const double span = time - s.state.since[cutter];
   BehrCut& cut = s.state.last[cutter];
   s.state.since[cutter] = time;
@@ -77,7 +79,8 @@ void count_until(const StepInHand& s, const BehrWay& way, std::size_t cutter, do
 
 /// Replaces the cutter's last cut by a new one. A cutter that reversed its direction crosses its
 /// plane again too early. What is left then counts at once, so that no impulse is lost.
-void take(const StepInHand& s, const BehrWay& way, const BehrCrossing& crossing, BehrCut cut) {
+void take(const BehrStepContext& s, const BehrSegment& way, const BehrCrossing& crossing,
+          BehrCut cut) {
   BehrCut& last = s.state.last[crossing.cutter];
   count_until(s, way, crossing.cutter, crossing.when * way.dt);
   if (s.options.force_time == ForceTime::spread)
@@ -91,7 +94,7 @@ void take(const StepInHand& s, const BehrWay& way, const BehrCrossing& crossing,
   last = cut;
 }
 
-void cut_on(const StepInHand& s, const BehrWay& way) {
+void cut_on(const BehrStepContext& s, const BehrSegment& way) {
   find_crossings(s.state, way);
   for (const BehrCrossing& crossing : s.state.crossings) {
     BehrCutter& own = s.load.cutters[crossing.cutter];
@@ -111,10 +114,10 @@ void cut_on(const StepInHand& s, const BehrWay& way) {
 }
 
 /// Cuts on the straight segment, in parts of at most a degree.
-void cut_straight(const StepInHand& s, const BehrWay& way) {
+void cut_straight(const BehrStepContext& s, const BehrSegment& way) {
   const double turn = std::abs(way.to.angle - way.from.angle);
   const int parts = std::max(1, static_cast<int>(std::ceil(turn / widest_turn)));
-  BehrWay part{way.from, way.from, way.dt / parts};
+  BehrSegment part{way.from, way.from, way.dt / parts};
   for (int k = 1; k <= parts; ++k) {
     part.from = part.to;
     part.to = k < parts ? way.at(static_cast<double>(k) / parts) : way.to;
@@ -123,17 +126,17 @@ void cut_straight(const StepInHand& s, const BehrWay& way) {
 }
 
 /// Whether straight segments through the middle are close to a path of uniform curvature.
-bool is_straight(const BehrWay& way, const BitPlace& middle, double nearness) {
+bool is_straight(const BehrSegment& way, const BitPlace& middle, double nearness) {
   const Vec3 chord = 0.5 * (way.from.p_WB + way.to.p_WB);
   return std::abs(way.to.angle - way.from.angle) <= widest_turn &&
          (middle.p_WB - chord).norm() <= 4.0 * nearness;
 }
 
 /// Cuts along the path from a time on, halving segments until they are straight.
-void cut_along(const StepInHand& s, const BitPath& path, double from, const BehrWay& way) {
+void cut_along(const BehrStepContext& s, const BitPath& path, double from, const BehrSegment& way) {
   const double half = 0.5 * way.dt;
   const BitPlace middle = path(from + half);
-  const BehrWay first{way.from, middle, half}, second{middle, way.to, half};
+  const BehrSegment first{way.from, middle, half}, second{middle, way.to, half};
   constexpr double shortest = 1e-6;  // of a step; limits the recursion on a jump
   if (is_straight(way, middle, s.options.nearness) || half < shortest * s.dt) {
     cut_straight(s, first);
@@ -150,7 +153,7 @@ void begin(BehrLoad& load, std::size_t cutters) {
   load.cutters.assign(cutters, {});
 }
 
-void finish(const StepInHand& s, const BitPlace& place) {
+void finish(const BehrStepContext& s, const BitPlace& place) {
   s.state.place = place;
   for (const BehrCutter& c : s.load.cutters) s.load.volume += c.volume;
 }
@@ -160,7 +163,7 @@ void finish(const StepInHand& s, const BitPlace& place) {
 void behr_step(BehrState& state, const BitPlace& to, double dt, const DragRock& rock,
                const BehrOptions& options, BehrLoad& load) {
   begin(load, state.rims.size());
-  const StepInHand s{state, dt, rock, options, load};
+  const BehrStepContext s{state, dt, rock, options, load};
   cut_straight(s, {state.place, to, dt});
   finish(s, to);
 }
@@ -168,7 +171,7 @@ void behr_step(BehrState& state, const BitPlace& to, double dt, const DragRock& 
 void behr_step(BehrState& state, const BitPath& path, double from, double dt, const DragRock& rock,
                const BehrOptions& options, BehrLoad& load) {
   begin(load, state.rims.size());
-  const StepInHand s{state, dt, rock, options, load};
+  const BehrStepContext s{state, dt, rock, options, load};
   const BitPlace to = path(from + dt);
   cut_along(s, path, from, {state.place, to, dt});
   finish(s, to);

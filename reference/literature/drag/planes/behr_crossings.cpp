@@ -62,13 +62,13 @@ Removed lower_nodes(Spokes& bottom, int plane, const RimEllipse& e) {
 
 }  // namespace
 
-Vec3 tip_velocity(const BehrWay& way, const BitPlace& place, const CutterRim& rim) {
+Vec3 tip_velocity(const BehrSegment& way, const BitPlace& place, const CutterRim& rim) {
   const Vec3 arm = turned(place, rim.tip_B), moved = way.to.p_WB - way.from.p_WB;
   const double turn = way.to.angle - way.from.angle;
   return Vec3(moved.x() - turn * arm.y(), moved.y() + turn * arm.x(), 0.0) / way.dt;
 }
 
-void find_crossings(BehrState& state, const BehrWay& way) {
+void find_crossings(BehrState& state, const BehrSegment& way) {
   state.crossings.clear();
   for (std::size_t i = 0; i < state.rims.size(); ++i) {
     const Vec3 from = way.from.p_WB + turned(way.from, state.rims[i].tip_B);
@@ -83,7 +83,8 @@ void find_crossings(BehrState& state, const BehrWay& way) {
                    [](const auto& a, const auto& b) { return a.when < b.when; });
 }
 
-BehrCut cut_at(BehrState& state, const BehrWay& way, const BehrCrossing& crossing, double& volume) {
+BehrCut cut_at(BehrState& state, const BehrSegment& way, const BehrCrossing& crossing,
+               double& volume) {
   const CutterRim& rim = state.rims[crossing.cutter];
   const SpokePlane& plane = state.planes[at(crossing.plane)];
   const BitPlace place = way.at(crossing.when);

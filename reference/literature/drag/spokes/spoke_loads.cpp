@@ -54,7 +54,7 @@ void end_step(SpokeLoads& loads) {
   for (std::size_t i = 0; i < loads.last.size(); ++i) count_until(loads, i, loads.step);
 }
 
-NeededLoad held_load(const SpokeLoads& loads) {
+NeededLoad last_loads(const SpokeLoads& loads) {
   NeededLoad held;
   for (const SpokeLoad& load : loads.last) add(held, load, 1.0);
   return held;

@@ -42,7 +42,7 @@ void cross(SpokeLoads& loads, std::size_t cutter, double when, const SpokeLoad& 
 void end_step(SpokeLoads& loads);
 
 /// Loads of the last crossings, however long ago.
-NeededLoad held_load(const SpokeLoads& loads);
+NeededLoad last_loads(const SpokeLoads& loads);
 
 /// Horizontal force of all cutters, N, rotating with the bit, mean over the step.
 double lateral_size(const SpokeLoads& loads);

@@ -136,7 +136,7 @@ void tell(PathFollower& f, std::size_t step) {
   end_step(f.loads);
   write(f.loads.spread, step, f.run.wob_spread, f.run.tob_spread);
   write(f.loads.by_step, step, f.run.wob_by_step, f.run.tob_by_step);
-  write(held_load(f.loads), step, f.run.wob_held, f.run.tob_held);
+  write(last_loads(f.loads), step, f.run.wob_held, f.run.tob_held);
   if (!f.counts) return;
   for (std::size_t i = 0; i < f.cutters.size(); ++i) f.run.force_B[i] += f.loads.force_B[i];
   f.run.tob += f.loads.spread.tob;
@@ -154,7 +154,7 @@ long first_counted(const BitPath& path, const PathOptions& options, long steps) 
 
 }  // namespace
 
-void check_drilling(const AskedDrilling& asked, const std::string& model) {
+void check_drilling(const RequestedDrilling& asked, const std::string& model) {
   const auto want = [&](bool given, const char* what) {
     if (!given) throw InputError(model + ": needs " + what);
   };

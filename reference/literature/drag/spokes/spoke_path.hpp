@@ -62,13 +62,13 @@ struct PathModel {
 };
 
 /// Uniform drilling requested from a model on spokes.
-struct AskedDrilling {
+struct RequestedDrilling {
   double rotary_speed = 0.0, advance = 0.0, revolutions = 0.0, step = 0.0;
   int spokes = 0;
 };
 
 /// Throws InputError that begins with the model's name if it cannot be drilled.
-void check_drilling(const AskedDrilling& asked, const std::string& model);
+void check_drilling(const RequestedDrilling& asked, const std::string& model);
 
 PathRun follow(const BitPath& path, const std::vector<SpokeCutter>& cutters, const PathModel& model,
                const PathOptions& options);

@@ -67,10 +67,10 @@ double torque_on(Drilling& d, std::size_t k) {
 
 void turn_cones(Drilling& d) {
   const double step = d.schedule.step;
-  const bool given = d.turn < 2.0 * std::numbers::pi * d.options.given_revolutions;
+  const bool given = d.turn < 2.0 * std::numbers::pi * d.options.prescribed_ratio_revolutions;
   for (std::size_t k = 0; k < d.cones.size(); ++k) {
     const double torque = given ? 0.0 : torque_on(d, k), inertia = d.bit.cones[k].inertia;
-    if (d.options.way == ConeWay::increments) {
+    if (d.options.way == ConeUpdate::increments) {
       advance_cone(d.cones[k], ConeReading::increments, torque, inertia, step);
       d.cone_speeds[k] = d.cones[k].increment / step;
     } else {

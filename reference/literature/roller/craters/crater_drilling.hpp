@@ -14,7 +14,7 @@
 namespace tdbd::reference {
 
 /// How cones are advanced in a step.
-enum class ConeWay {
+enum class ConeUpdate {
   increments,  ///< the recursion of eq. (2.5), reading (iii)
   speeds,      ///< speed and angle alternately, from inertia and forces
 };
@@ -41,10 +41,10 @@ struct CraterDrillingOptions {
   double end_height = 4e-3;     ///< m, height up to which it has points
   SlidingOptions sliding = {};
   BalanceOptions balance = {};
-  ConeWay way = ConeWay::increments;
-  double torque_average = 0.0;     ///< s, time constant of the mean of a cone's torque; 0: no mean
-  double first_ratio = 1.5;        ///< initial ratio of cone speed to bit speed
-  double given_revolutions = 0.0;  ///< of the bit, during which that ratio is prescribed
+  ConeUpdate way = ConeUpdate::increments;
+  double torque_average = 0.0;  ///< s, time constant of the mean of a cone's torque; 0: no mean
+  double first_ratio = 1.5;     ///< initial ratio of cone speed to bit speed
+  double prescribed_ratio_revolutions = 0.0;  ///< of the bit, during which that ratio is prescribed
   AxialMotion axial = AxialMotion::balance;
   double mass = 5000.0;        ///< kg, for AxialMotion::mass
   double axial_damping = 0.0;  ///< N s/m, on that mass

@@ -6,15 +6,15 @@ RollerRun huang_cawthorne(const RollerBit& bit, const ToothTable& table,
                           const RollerSchedule& schedule, const HuangCawthorneOptions& options) {
   CraterDrillingOptions o = options.drilling;
   o.first_ratio = options.first_ratio;
-  if (options.way == PatentWay::first) {
-    o.way = ConeWay::increments;
+  if (options.way == PatentMethod::first) {
+    o.way = ConeUpdate::increments;
     o.torque_average = options.torque_average;
-    o.given_revolutions = options.given_revolutions;
+    o.prescribed_ratio_revolutions = options.prescribed_ratio_revolutions;
     o.sliding.bearing = 0.0;
   } else {
-    o.way = ConeWay::speeds;
+    o.way = ConeUpdate::speeds;
     o.torque_average = 0.0;
-    o.given_revolutions = 0.0;
+    o.prescribed_ratio_revolutions = 0.0;
     o.sliding.bearing = options.bearing;
   }
   return crater_drilling(bit, table, schedule, o);

@@ -5,7 +5,7 @@
 namespace tdbd::reference {
 
 /// The two methods by which the patent of Huang and Cawthorne moves cones (thesis 2.2).
-enum class PatentWay {
+enum class PatentMethod {
   first,   ///< that of Ma, Zhou and Deng, with a mean torque and prescribed ratios in the first
            ///< turn
   second,  ///< inertia and the forces on the cone; the thesis states that no equations are given
@@ -18,11 +18,12 @@ enum class PatentWay {
 /// which is the first method's recursion in other variables. The two differ only in the terms of
 /// the torque (the bearing) and in whether it is averaged.
 struct HuangCawthorneOptions {
-  PatentWay way = PatentWay::second;
-  double bearing = 0.0;            ///< N m, of the second way
-  double torque_average = 10e-3;   ///< s, of the first way
-  double given_revolutions = 1.0;  ///< for the first method: duration with prescribed `first_ratio`
-  double first_ratio = 1.5;        ///< initial ratio of cone speed to bit speed
+  PatentMethod way = PatentMethod::second;
+  double bearing = 0.0;           ///< N m, of the second way
+  double torque_average = 10e-3;  ///< s, of the first way
+  double prescribed_ratio_revolutions =
+      1.0;                   ///< for the first method: duration with prescribed `first_ratio`
+  double first_ratio = 1.5;  ///< initial ratio of cone speed to bit speed
   CraterDrillingOptions drilling{.model = "Huang and Cawthorne"};  ///< all other options
 };
 

@@ -70,7 +70,7 @@ ContactStatistics together(const std::vector<RowContact>& rows) {
 
 BitContact bit_contact(const RollerBit& bit, const std::vector<double>& ratios, double bit_speed,
                        double penetration) {
-  need_equal_cones(bit);
+  require_equal_cones(bit);
   if (ratios.size() != bit.cones.size())
     throw InputError(
         fmt::format("Ma and Azar: found {} cone speeds, expected one for each of {} cones",
@@ -83,7 +83,7 @@ BitContact bit_contact(const RollerBit& bit, const std::vector<double>& ratios, 
   return contact;
 }
 
-void need_equal_cones(const RollerBit& bit) {
+void require_equal_cones(const RollerBit& bit) {
   constexpr double same_height = 1e-9;  // m
   if (bit.cones.empty())
     throw InputError("Ma and Azar: found a bit without cones, expected a roller cone bit");

@@ -46,14 +46,14 @@ struct BitContact {
 };
 
 /// `ratios`: ratio of each cone's speed to the bit's (rad/s). Throws InputError as row_contact
-/// does, and if the bit violates the model's assumptions (need_equal_cones).
+/// does, and if the bit violates the model's assumptions (require_equal_cones).
 BitContact bit_contact(const RollerBit& bit, const std::vector<double>& ratios, double bit_speed,
                        double penetration);
 
 /// Checks the model's assumptions, stated in the thesis: cones at equal angles and at the same
 /// elevation. (row_contact checks that teeth are equally spaced.) Throws InputError that names the
 /// first violated one.
-void need_equal_cones(const RollerBit& bit);
+void require_equal_cones(const RollerBit& bit);
 
 /// Distance of a row's prints from those of the previous passage over the same track, in pitches
 /// from 0 (tracking) to 1/2. `impressions`: of the row per revolution. `turned`: revolutions of the

@@ -10,8 +10,8 @@
 
 #include "battery/generators.hpp"
 #include "bit/cutter/cutter_table.hpp"
-#include "core/angles.hpp"
 #include "core/error.hpp"
+#include "core/types.hpp"
 #include "literature/drag/example_cutters.hpp"
 #include "reference/literature/drag/plane/cutter_rim.hpp"
 #include "reference/literature/drag/plane/worn_outlines.hpp"

@@ -9,8 +9,8 @@
 
 #include "battery/generators.hpp"
 #include "bit/profile/bit_analysis.hpp"
-#include "core/angles.hpp"
 #include "core/error.hpp"
+#include "core/types.hpp"
 #include "literature/drag/example_cutters.hpp"
 
 namespace tdbd::reference::warren_sinor_test {

@@ -162,8 +162,8 @@ TEST(SpokeLoads, are_held_for_ever_or_act_in_one_step_for_comparison) {
   EXPECT_NEAR(loads.by_step.wob, 150.0, 1e-12);
   EXPECT_NEAR(lateral_size(loads), 25.0, 1e-12);
   for (int k = 0; k < 9; ++k) begin_step(loads), end_step(loads);
-  EXPECT_EQ(held_load(loads).wob, 100.0);
-  EXPECT_EQ(held_load(loads).tob, 7.0);
+  EXPECT_EQ(last_loads(loads).wob, 100.0);
+  EXPECT_EQ(last_loads(loads).tob, 7.0);
   EXPECT_EQ(loads.by_step.wob, 0.0);
 }
 

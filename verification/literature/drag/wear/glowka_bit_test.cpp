@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "battery/generators.hpp"
-#include "core/angles.hpp"
 #include "core/error.hpp"
-#include "forces/laws/virgin_groove.hpp"
+#include "core/types.hpp"
+#include "forces/laws/cutter_laws.hpp"
 #include "literature/drag/wear/glowka_laws.hpp"
 #include "reference/forces/groove_by_strips.hpp"
 #include "reference/literature/drag/wear/glowka_cutter.hpp"

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "battery/generators.hpp"
-#include "core/angles.hpp"
 #include "core/error.hpp"
+#include "core/types.hpp"
 #include "literature/drag/wear/glowka_laws.hpp"
 #include "reference/literature/drag/wear/glowka_metres.hpp"
 

@@ -29,7 +29,7 @@ CraterDrillingOptions on_springs(double mass, double damping) {
   o.print.release = ToothRelease::elastic;
   o.start = BottomStart::flat;
   o.first_ratio = 0.0;
-  o.given_revolutions = 1.0;  // a free tooth would topple
+  o.prescribed_ratio_revolutions = 1.0;  // a free tooth would topple
   o.axial = AxialMotion::mass;
   o.mass = mass;
   o.axial_damping = damping;

@@ -152,7 +152,7 @@ RollerSchedule schedule(double revolutions) {
   return {3.0 * std::numbers::pi, 20e3, 1e-3, revolutions, 0.5 * revolutions};
 }
 
-RollerRun run(PatentWay way, HuangCawthorneOptions options, double revolutions) {
+RollerRun run(PatentMethod way, HuangCawthorneOptions options, double revolutions) {
   options.way = way;
   return huang_cawthorne(example::roller_bit(4e-3), example::tooth_table(), schedule(revolutions),
                          options);
@@ -198,22 +198,23 @@ TEST(HuangCawthorne, gives_the_worked_craters_of_six_teeth) {
 TEST(HuangCawthorne, its_two_ways_are_one_when_they_see_the_same_torque) {
   HuangCawthorneOptions options;
   options.torque_average = 0.0;
-  options.given_revolutions = 0.0;
+  options.prescribed_ratio_revolutions = 0.0;
   options.drilling.print.release = ToothRelease::elastic;
-  const RollerRun a = run(PatentWay::first, options, 1.0), b = run(PatentWay::second, options, 1.0);
+  const RollerRun a = run(PatentMethod::first, options, 1.0),
+                  b = run(PatentMethod::second, options, 1.0);
   EXPECT_LT(largest_difference(a.series.cone_speeds, b.series.cone_speeds), of_speeds);
   EXPECT_LT(largest_difference(a.series.depth, b.series.depth), of_depths);
 }
 
 TEST(HuangCawthorne, its_ways_part_by_what_is_in_the_torque) {
   HuangCawthorneOptions options;
-  const RollerRun averaged = run(PatentWay::first, options, 4.0),
-                  free = run(PatentWay::second, options, 4.0);
+  const RollerRun averaged = run(PatentMethod::first, options, 4.0),
+                  free = run(PatentMethod::second, options, 4.0);
   options.torque_average = 0.0;
-  const RollerRun at_once = run(PatentWay::first, options, 4.0);
+  const RollerRun at_once = run(PatentMethod::first, options, 4.0);
   EXPECT_GT(largest_difference(averaged.series.cone_speeds, at_once.series.cone_speeds), 0.1);
   options.bearing = 20.0;
-  const RollerRun bearing = run(PatentWay::second, options, 4.0);
+  const RollerRun bearing = run(PatentMethod::second, options, 4.0);
   EXPECT_GT(largest_difference(averaged.series.cone_speeds, free.series.cone_speeds), 0.1);
   EXPECT_GT(largest_difference(bearing.series.cone_speeds, free.series.cone_speeds), 0.1);
   EXPECT_GT(bearing.torque, free.torque);
@@ -223,7 +224,7 @@ TEST(HuangCawthorne, its_ways_part_by_what_is_in_the_torque) {
 TEST(HuangCawthorne, begins_with_a_turn_of_given_ratios) {
   HuangCawthorneOptions options;
   options.first_ratio = 1.4;
-  const RollerRun r = run(PatentWay::first, options, 2.0);
+  const RollerRun r = run(PatentMethod::first, options, 2.0);
   const double given = -1.4 * 3.0 * std::numbers::pi;
   for (std::size_t i = 0; i < 600; ++i) EXPECT_NEAR(r.series.cone_speeds[3 * i], given, 1e-9);
   EXPECT_GT(std::abs(r.series.cone_speeds.back() - given), 0.1);

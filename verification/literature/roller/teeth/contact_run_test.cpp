@@ -7,9 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "bit/cone/cone_bit.hpp"
 #include "bit/cone/cone_measures.hpp"
-#include "bit/cone/cone_rolling.hpp"
-#include "bit/cone/part_pose.hpp"
 #include "bit/files/bit_file.hpp"
 #include "core/error.hpp"
 #include "reference/literature/roller/craters/crater_bottom.hpp"

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bit/cone/cone_frame.hpp"
-#include "bit/cone/part_pose.hpp"
+#include "bit/cone/cone_bit.hpp"
 #include "core/error.hpp"
 #include "verification/battery/evidence.hpp"
 #include "verification/battery/generators.hpp"

@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "battery/generators.hpp"
-#include "core/angles.hpp"
 #include "core/error.hpp"
+#include "core/types.hpp"
 #include "reference/literature/roller/wheel/briggs_wedge.hpp"
 #include "reference/literature/roller/wheel/briggs_wheel.hpp"
 
