@@ -36,7 +36,7 @@ SUB_FOLDERS = {
 }
 # A slow twin may use plain data of src, never the function it is the twin of.
 PLAIN_DATA = re.compile(r"(core|io)/.+|mesh/triangle_mesh\.hpp|bit/bit\.hpp|forces/part/part_cut\.hpp|"
-                        r"dynamics/(gyrostat|loads|rotation_state|schedule|drilling/drilling_system)\.hpp|reference/.+")
+                        r"dynamics/(gyrostat|loads|schedule|drilling/drilling_system)\.hpp|reference/.+")
 # A program around the twins reads its input and describes it by src's means.
 TOOL_DATA = re.compile(PLAIN_DATA.pattern + r"|mesh/(files/files|measures)\.hpp|simulation/rotate/rotate_case\.hpp")
 # The comparison runs the models of chapter 2 beside the program itself.
@@ -163,7 +163,7 @@ def self_test():
            ("python/src/runs.cpp", '#include "app/arguments.hpp"'),
            ("python/src/runs.cpp", '#include "reference/bit/heel_drag.hpp"'),
            ("src/app/run_commands.cpp", '#include "python/src/options.hpp"'),
-           ("reference/dynamics/top.cpp", '#include "dynamics/gyrostat.hpp"')]
+           ("reference/dynamics/top.cpp", '#include "dynamics/rotation/kick.hpp"')]
     good += [("src/rock/cut/cut_rock.cpp", '#include "rock/rock.hpp"'), ("src/rock/rock.hpp", '#include "rock/index/near_list.hpp"'),
              ("src/simulation/study/convergence.cpp", '#include "simulation/case/case.hpp"'),
              ("src/forces/law.hpp", '#include "forces/laws/contact_laws.hpp"'),
