@@ -3,7 +3,6 @@
 #include <bit>
 #include <cmath>
 
-#include "rock/index/near_list_storage.hpp"
 #include "rotation/screw.hpp"
 
 namespace tdbd::rock {

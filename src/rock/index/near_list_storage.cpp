@@ -1,8 +1,8 @@
-#include "rock/index/near_list_storage.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
+
+#include "rock/index/near_list.hpp"
 
 namespace tdbd::rock {
 namespace {

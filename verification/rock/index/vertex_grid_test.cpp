@@ -10,7 +10,6 @@
 
 #include "rock/index/box_columns.hpp"
 #include "rock/index/near_list.hpp"
-#include "rock/index/near_list_storage.hpp"
 #include "rotation/screw.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/rock/index/grid_query.hpp"
