@@ -4,14 +4,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "dynamics/gyrostat.hpp"
+#include "dynamics/momenta.hpp"
 #include "dynamics/rotation/kick.hpp"
 #include "rotation/screw.hpp"
 
 namespace tdbd::bench {
 namespace {
 
-/// Three axes 120 degrees apart, 55 degrees from the bit's.
+/// Three axes 120 degrees apart, 55 degrees from the axis of the bit.
 std::vector<dynamics::Cone> three_cones(const Vec3& axial_inertias) {
   std::vector<dynamics::Cone> cones;
   for (int k = 0; k < 3; ++k) {

@@ -9,7 +9,7 @@
 
 #include "benchmarks/rotation/method.hpp"
 #include "core/error.hpp"
-#include "dynamics/gyrostat.hpp"
+#include "dynamics/momenta.hpp"
 
 namespace tdbd::bench {
 namespace {

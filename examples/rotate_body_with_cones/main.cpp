@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "dynamics/gyrostat.hpp"
+#include "dynamics/momenta.hpp"
 #include "dynamics/rotation/step.hpp"
 
 using namespace tdbd;

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/tolerance.hpp"
 #include "dynamics/integrator.hpp"
+#include "dynamics/momenta.hpp"
 #include "verification/battery/generators.hpp"
 
 namespace tdbd::dynamics::gyrostat_test {

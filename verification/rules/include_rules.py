@@ -163,7 +163,7 @@ def self_test():
            ("python/src/runs.cpp", '#include "app/arguments.hpp"'),
            ("python/src/runs.cpp", '#include "reference/bit/heel_drag.hpp"'),
            ("src/app/run_commands.cpp", '#include "python/src/options.hpp"'),
-           ("reference/dynamics/top.cpp", '#include "dynamics/rotation/kick.hpp"')]
+           ("reference/dynamics/top.cpp", '#include "dynamics/momenta.hpp"')]
     good += [("src/rock/cut/cut_rock.cpp", '#include "rock/rock.hpp"'), ("src/rock/rock.hpp", '#include "rock/index/near_list.hpp"'),
              ("src/simulation/study/convergence.cpp", '#include "simulation/case/case.hpp"'),
              ("src/forces/law.hpp", '#include "forces/laws/contact_laws.hpp"'),

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "dynamics/gyrostat.hpp"
 #include "dynamics/loads.hpp"
+#include "dynamics/momenta.hpp"
 
 namespace tdbd::dynamics {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/observed_order.hpp"
-#include "dynamics/gyrostat.hpp"
+#include "dynamics/momenta.hpp"
 
 namespace tdbd::dynamics {
 

@@ -2,7 +2,7 @@
 
 #include "dynamics/drilling/response.hpp"
 #include "dynamics/drilling/wall_secants.hpp"
-#include "dynamics/gyrostat.hpp"
+#include "dynamics/momenta.hpp"
 
 namespace tdbd::dynamics {
 namespace {

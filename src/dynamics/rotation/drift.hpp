@@ -2,8 +2,8 @@
 
 #include <type_traits>
 
-#include "dynamics/gyrostat.hpp"
 #include "dynamics/integrator.hpp"
+#include "dynamics/momenta.hpp"
 #include "rotation/quaternion.hpp"
 
 namespace tdbd::dynamics {

@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "core/error.hpp"
-#include "dynamics/gyrostat.hpp"
 #include "dynamics/integrator.hpp"
 #include "dynamics/loads.hpp"
+#include "dynamics/momenta.hpp"
 
 namespace tdbd::dynamics {
 

@@ -7,7 +7,7 @@
 #include "bit/cone/cone_measures.hpp"
 #include "core/error.hpp"
 #include "dynamics/drilling/chained_string.hpp"
-#include "dynamics/gyrostat.hpp"
+#include "dynamics/momenta.hpp"
 #include "simulation/case/drilling_keys.hpp"
 #include "simulation/case/read_chain.hpp"
 #include "string/statics.hpp"

@@ -9,7 +9,7 @@
 #include "bit/files/unit_question.hpp"
 #include "core/error.hpp"
 #include "core/tolerance.hpp"
-#include "dynamics/gyrostat.hpp"
+#include "dynamics/momenta.hpp"
 #include "mesh/files/files.hpp"
 #include "rotation/screw.hpp"
 #include "simulation/case/rotate_keys.hpp"

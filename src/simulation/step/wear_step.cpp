@@ -7,7 +7,7 @@
 
 #include "bit/bit.hpp"
 #include "bit/cone/cone_measures.hpp"
-#include "dynamics/gyrostat.hpp"
+#include "dynamics/momenta.hpp"
 #include "simulation/step/drive.hpp"
 #include "simulation/step/step.hpp"
 

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "dynamics/drilling/drilling_step.hpp"
-#include "dynamics/gyrostat.hpp"
+#include "dynamics/momenta.hpp"
 
 /// Lumped problems of a bit on a string, without any rock mesh.
 namespace tdbd::dynamics {

@@ -6,7 +6,7 @@
 
 #include "battery/generators.hpp"
 #include "core/error.hpp"
-#include "dynamics/gyrostat.hpp"
+#include "dynamics/momenta.hpp"
 #include "dynamics/rotation/step.hpp"
 #include "reference/dynamics/applied_torque.hpp"
 #include "reference/dynamics/ode.hpp"

@@ -1,4 +1,4 @@
-#include "dynamics/gyrostat.hpp"
+#include "dynamics/momenta.hpp"
 #include "reference/simulation/rolled_bit.hpp"
 #include "verification/simulation/coupled/agreement.hpp"
 #include "verification/simulation/coupled/pdc_twin.hpp"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "dynamics/gyrostat.hpp"
+#include "dynamics/momenta.hpp"
 #include "mesh/files/files.hpp"
 #include "verification/battery/shapes.hpp"
 #include "verification/core/temporary_folder.hpp"
