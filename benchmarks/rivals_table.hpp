@@ -15,7 +15,7 @@ struct Condition {
   long steps, turns;
 };
 
-/// All values of a condition, those of the present meshes, and their ratios to the yardstick's.
+/// All values of a condition, those of the present meshes, and their ratios to those of the height field.
 /// Times in us, counts in millions; null where there was no counter.
 nlohmann::ordered_json condition_json(const Condition& condition,
                                       const std::vector<Contender>& sides,

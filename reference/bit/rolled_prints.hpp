@@ -7,8 +7,8 @@
 namespace tdbd::reference {
 
 /// A row of a rolling cone: the tips of its teeth in the cone's frame, that frame in the bit frame
-/// at angle 0, the ratio of the cone's speed to the bit's, and the distance (m) within which one
-/// print falls into another.
+/// at angle 0, the ratio of cone speed to bit speed, and the distance (m) within which one print
+/// falls into another.
 struct RolledRow {
   Pose X_BK;
   std::vector<Vec3> tips_K;

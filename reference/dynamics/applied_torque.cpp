@@ -7,7 +7,7 @@
 namespace tdbd::reference {
 namespace {
 
-/// Converts a torque given in either frame to the bit's frame.
+/// Returns the torque in the frame of the bit; it may be given in either frame.
 Vec3 in_bit_frame(dynamics::TorqueFrame frame, const Mat3& R_WB, const Vec3& torque) {
   return frame == dynamics::TorqueFrame::body ? torque : Vec3(R_WB.transpose() * torque);
 }

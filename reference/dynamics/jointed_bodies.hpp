@@ -68,7 +68,7 @@ struct JointedRun {
   long evaluations = 0;       ///< of the right-hand side
 };
 
-/// Integrates another formulation than the gyrostat's, dynamics (3). Every body has position,
+/// Integrates a formulation that differs from that of a gyrostat, dynamics (3). Every body has position,
 /// quaternion, velocity and angular velocity. Each bearing gives five equations for accelerations,
 /// a pin three. The constraint forces are Lagrange multipliers of one dense linear system, which is
 /// solved at every evaluation; GSL's rk8pd integrates. Constraints are not stabilized; their drift

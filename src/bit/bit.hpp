@@ -100,7 +100,8 @@ struct ConeLayout {
   static constexpr double usual_density = 7850.0;  // kg/m3
   static constexpr int usual_segments = 96, usual_facets = 16;
 
-  double journal_angle = 0.0;     ///< rad, of the journal below the plane normal to the bit's axis
+  double journal_angle =
+      0.0;  ///< rad, angle between the journal and the plane normal to the axis of the bit
   double offset = 0.0;            ///< m, of the journal, in the direction of the bit's rotation
   double skew = 0.0;              ///< rad, rotation of the journal's outer end, in that direction
   double azimuth = 0.0;           ///< rad, of the journal about the bit's +z

@@ -9,7 +9,7 @@ namespace tdbd::app::converge_test {
 
 using Json = nlohmann::json;
 
-/// How far an observed order may lie from the method's, as required.
+/// Required bound on the difference between observed order and the order of the method.
 constexpr double of_order_2 = 0.05, of_order_4 = 0.1;
 
 Json orders_of(const RotateFolder& c, std::vector<std::string> more) {

@@ -30,7 +30,7 @@ mesh::TriangleMesh torus(double major_radius, double minor_radius, int around, i
 /// triangles, all vertices on the sphere.
 mesh::TriangleMesh sphere(double radius, int levels);
 
-/// Flat square [-half, half]^2 at z, of 2 n^2 triangles; normal along -z, as the rock's.
+/// Flat square [-half, half]^2 at z, of 2 n^2 triangles; normal along -z, as that of the rock.
 mesh::TriangleMesh flat_rock(double half, double z, int n);
 
 /// The mesh with every position moved by a pose.

@@ -41,7 +41,7 @@ double normals_of(const simulation::Case& c, const simulation::LoadStatisticsSum
   return sum;
 }
 
-/// How far the three-dimensional forces are from the plane's, in shares of the plane's.
+/// Relative difference between the three-dimensional forces and those of the planar model.
 struct PlaneErrors {
   double weight = 0.0, with_helix = 0.0, first_cutter = 0.0, other_cutters = 0.0;
 };

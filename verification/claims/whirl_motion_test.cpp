@@ -57,7 +57,7 @@ Travel travel(const simulation::Case& c) {
   return sum;
 }
 
-/// Distance of the instantaneous centre of rotation from the bit's, m.
+/// Distance of the instantaneous centre of rotation from the centre of the bit, m.
 double centre_distance(const simulation::Motion& m) {
   return m.whirl.radius * m.whirl.frequency / m.rotary_speed;
 }

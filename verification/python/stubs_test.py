@@ -1,4 +1,4 @@
-"""The stubs list the names of the compiled module, every public name has a docstring, and arrays state their shape."""
+"""The type stubs (_core.pyi) list the names of the compiled module, every public name has a docstring, and arrays state their shape."""
 
 import ast
 import inspect

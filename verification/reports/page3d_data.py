@@ -77,7 +77,7 @@ def frames(page):
            for name, count, columns in (("points", "points", 3), ("corners", "triangles", 3), ("colour", "triangles", 1))}
     if "areas" in head["bit"]:
         bit["area"] = numbers.next(head["bit"]["triangles"], 1)
-    assert numbers.place == len(numbers.bytes), "the page has more numbers than its header tells of"
+    assert numbers.place == len(numbers.bytes), "the page has more numbers than its header lists"
     return made, bit
 
 

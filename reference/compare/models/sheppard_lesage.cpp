@@ -95,7 +95,7 @@ Findings run_sheppard_lesage_model(const Question& q) {
     say(f, Quantity::torque_at_weight, under.torque);
   }
   set_missing(f, of_weight, no_weight);
-  set_missing(f, lateral, "thesis 2.2 tells of no lateral forces");
+  set_missing(f, lateral, "thesis 2.2 does not mention lateral forces");
   set_missing(f, {Quantity::teeth_in_contact, Quantity::teeth_in_contact_variance},
               "rows are smooth bands: it has no teeth");
   set_missing(f, Quantity::resolution_at_gage, "it keeps no bottom");

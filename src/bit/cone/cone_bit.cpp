@@ -99,7 +99,7 @@ ConeReach rows_reach(const ConeLayout& cone) {
   return all;
 }
 
-/// Moves the cones along z to the bit's origin and returns the gage radius.
+/// Moves the cones along z so that the lowest tooth is at z = 0 of the bit. Returns the gage radius.
 double settle(std::vector<ConeLayout>& cones, const std::string& name) {
   ConeReach all;
   all.depth = -1e300;

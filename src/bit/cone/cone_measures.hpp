@@ -64,8 +64,8 @@ SlipBalance slip_balance(const Pose& X_BK, const rotation::Twist& bit,
 /// The tip of a tooth in its frame T, m: on its axis, at the height of its mesh.
 Vec3 tooth_tip_P(const Part& tooth);
 
-/// The ratio of the cone's speed to the bit's at which its gage row rolls on the bottom without
-/// slip (RowMeasures::rolling_ratio). Of several gage rows, or if there is none, the row farthest
+/// The ratio of cone speed to bit speed at which the gage row rolls on the bottom without slip
+/// (RowMeasures::rolling_ratio). Of several gage rows, or if there is none, the row farthest
 /// from the bit's axis is used; for a cone of solids, without rows, Cone::rolling_ratio. Usual
 /// values: 1.2 to 1.5 (from memory, without a source).
 double rolling_ratio_of_gage_row(const Cone& cone);

@@ -59,8 +59,8 @@ struct TrackingShare {
 /// Computes the tracking of rings on one bottom, with one result per ring. A print tracks at lag k
 /// if a print of any ring, made between k - 1 and k revolutions earlier, is closer than
 /// `share_of_width` times its own width. Its random-phase value is the fraction of its ring that
-/// such places of the last revolution cover: the mean over an unknown phase. `speed_ratios`: of
-/// each ring's cone to the bit, > 0. There is no start-up: earlier prints exist from the beginning.
+/// such places of the last revolution cover: the mean over an unknown phase. `speed_ratios`: per
+/// ring, speed of its cone divided by that of the bit, > 0. There is no start-up: earlier prints exist from the beginning.
 /// Not in the thesis.
 std::vector<TrackingShare> tracking(const std::vector<PrintRing>& rings,
                                     const std::vector<double>& speed_ratios,

@@ -8,7 +8,7 @@
 
 namespace tdbd::rock {
 
-/// Triangles that replace, or would replace, some of the surface's. Frame W.
+/// Triangles that replace, or would replace, some triangles of the surface. Frame W.
 struct Patch {
   std::vector<mesh::NamedFacet> facets;  ///< corners named by vertex
   std::vector<int> replaced;             ///< triangles of the surface, sorted

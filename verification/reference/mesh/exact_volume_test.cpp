@@ -87,7 +87,7 @@ RC_GTEST_PROP(PrismVolume, adds_up_over_steps_exactly, ()) {
             prism_volume_rational(flat, last));
 }
 
-/// The corners of a prism along z, whose ends are plane to the bit, and a point within.
+/// The corners of a prism along z, whose ends are exactly plane, and a point inside.
 std::vector<Vec3> prism(int corners) {
   std::vector<Vec3> points{{0.1, 0.2, 0.3}};
   for (int i = 0; i < corners; ++i)

@@ -19,7 +19,7 @@ Case steady_case(int section_every) {
       {"rock.edge_length='4 mm'", fmt::format("measure.section_every={}", section_every)});
 }
 
-/// The same face, and the same number to the bit; NaN is equal to NaN.
+/// The same face, and bitwise the same number; NaN is equal to NaN.
 bool is_same(const rock::Section& a, const rock::Section& b) {
   const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
   return same(a.area, b.area) && same(a.engaged_edge, b.engaged_edge) &&

@@ -19,7 +19,7 @@ void require_sinor(const std::vector<bit::Cutter>& cutters, const DragRock& rock
   require_one_each(sinor_name, "areas of flats", options.flat_area.size(), cutters.size());
 }
 
-/// Adds one cutter's forces to the bit's loads.
+/// Adds the forces of one cutter to the loads of the whole bit.
 void add_cutter(const bit::Cutter& c, const CutterForce& sharp, const CutterForce& flat,
                 WarrenSinorCutter& own, WarrenSinorLoad& load) {
   own.force = {sharp.cutting + flat.cutting, sharp.normal + flat.normal};

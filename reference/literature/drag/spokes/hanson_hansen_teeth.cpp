@@ -20,7 +20,7 @@ void check_cones(const RollerBit& bit) {
       throw InputError("Hanson and Hansen: found a cone without inertia; needs it above 0");
 }
 
-/// Rotates a vector from a cone's frame (e_r, e_t, e_z) to the bit's.
+/// Rotates a vector from the frame of a cone (e_r, e_t, e_z) into that of the bit.
 Vec3 of_azimuth(const Vec3& v, double azimuth) { return turned({Vec3::Zero(), azimuth}, v); }
 
 SphereTooth sphere_tooth(const RollerCone& cone, std::size_t k, std::size_t i, double angle) {

@@ -49,8 +49,7 @@ SheppardLesage sheppard_lesage_under(const RollerBit& bit, const BandRock& rock,
                                      double weight, const BandOptions& options = {},
                                      double most_advance = 0.02);
 
-/// Ratio of a cone's speed to the bit's in two limits of slip, for rows with given weights (any
-/// unit). Under friction of constant magnitude, it is that of the weighted median row. Under a
+/// Ratio of cone speed to bit speed in two limits of slip, for rows with given weights (any unit). Under friction of constant magnitude, it is that of the weighted median row. Under a
 /// viscous resistance, it is the weighted mean sum(w rho R) / sum(w rho^2). R: distance of the
 /// row's lowest point from the bit's axis.
 double ratio_under_constant_friction(const RollerCone& cone, const std::vector<double>& weights);

@@ -25,7 +25,7 @@ struct SlidingOptions {
 /// Loads of the rock on a bit, in the axes of space.
 struct RollerLoads {
   Vec3 force = Vec3::Zero();  ///< N, on the bit
-  double torque = 0.0;        ///< N m, that the drive must apply to the bit, about +z
+  double torque = 0.0;        ///< N m about +z, required from the drive
 };
 
 /// A cone's torque about its journal: pull - drag w at the cone speed w (rad/s).

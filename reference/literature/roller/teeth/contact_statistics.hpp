@@ -45,7 +45,7 @@ struct BitContact {
   ContactStatistics all;
 };
 
-/// `ratios`: ratio of each cone's speed to the bit's (rad/s). Throws InputError as row_contact
+/// `ratios`: speed of each cone divided by that of the bit. Throws InputError as row_contact
 /// does, and if the bit violates the model's assumptions (require_equal_cones).
 BitContact bit_contact(const RollerBit& bit, const std::vector<double>& ratios, double bit_speed,
                        double penetration);
