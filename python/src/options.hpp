@@ -6,7 +6,7 @@
 
 #include "io/output_folder.hpp"
 #include "python/src/watch.hpp"
-#include "simulation/case/case_warning.hpp"
+#include "simulation/case/run_settings.hpp"
 
 namespace tdbd::python {
 

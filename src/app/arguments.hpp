@@ -9,7 +9,7 @@
 #include "app/terminal.hpp"
 #include "core/config/key.hpp"
 #include "io/output_folder.hpp"
-#include "simulation/case/case_warning.hpp"
+#include "simulation/case/run_settings.hpp"
 
 namespace CLI {
 

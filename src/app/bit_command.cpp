@@ -8,7 +8,7 @@
 #include "bit/bit.hpp"
 #include "bit/files/bit_export.hpp"
 #include "bit/files/bit_file.hpp"
-#include "bit/files/part_keys.hpp"
+#include "bit/files/file_checks.hpp"
 #include "bit/report/bit_output.hpp"
 #include "bit/report/bit_report.hpp"
 #include "bit/report/body_report.hpp"

@@ -8,19 +8,18 @@
 #include "app/arguments.hpp"
 #include "app/templates.hpp"
 #include "app/terminal.hpp"
-#include "calibration/case/calibration_tables.hpp"
-#include "calibration/laboratory/laboratory_tables.hpp"
+#include "calibration/case/calibration_case.hpp"
+#include "calibration/laboratory/laboratory.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "io/whole_file.hpp"
 #include "simulation/case/case_kind.hpp"
-#include "simulation/case/key_tables.hpp"
 #include "simulation/chain/chain_simulation.hpp"
 #include "simulation/result/run.hpp"
 #include "simulation/rotate/rotate_simulation.hpp"
 #include "simulation/start/rock_start.hpp"
 #include "simulation/step/simulation.hpp"
-#include "sweep/design/design_tables.hpp"
+#include "sweep/design/design.hpp"
 
 namespace tdbd::app {
 namespace {
@@ -177,19 +176,17 @@ namespace {
 constexpr const char* markdown_head =
     "# The keys of cases and bit files\n"
     "\n"
-    "`tdbd keys --markdown` writes this file from the declarations (`*_keys.hpp`); do not edit it. "
-    "A quantity is\n"
-    "a number in the SI unit that is shown, or a text with any unit of the same dimension\n"
-    "(`\"8.5 in\"`). Frame W: z down along the hole.\n"
+    "`tdbd keys --markdown` writes this file from the declarations (`visit` of each settings\n"
+    "struct); do not edit it. A quantity is a number in the SI unit that is shown, or a text with\n"
+    "any unit of the same dimension (`\"8.5 in\"`). Frame W: z down along the hole.\n"
     "\n";
 
 constexpr const char* markdown_head_of_designs =
     "# The keys of a sweep's design\n"
     "\n"
-    "`tdbd keys --design --markdown` writes this file from the declarations (`design_keys.hpp`); "
-    "do "
-    "not edit it. A quantity is a\n"
-    "number in the SI unit that is shown, or a text with any unit of the same dimension.\n"
+    "`tdbd keys --design --markdown` writes this file from the declarations (`design.hpp`); do\n"
+    "not edit it. A quantity is a number in the SI unit that is shown, or a text with any unit of\n"
+    "the same dimension.\n"
     "\n";
 
 struct KeysArguments {

@@ -194,7 +194,7 @@ struct Part {
   int cone = -1;  ///< index into Bit::cones, or -1; X_BP is valid at the cone's angle 0
   int row = -1;   ///< of a tooth: index into its cone's rows
   std::optional<LateStart> start;  ///< empty: `cutting` is valid from the beginning
-  std::string material = {};       ///< its name, if an area defines it (bit_area_keys::material)
+  std::string material = {};       ///< its name, if an area defines it (Material)
   /// Names of the areas of the bit file that define density or material, cutting, share and start.
   /// Empty if no area does.
   std::string density_area, cutting_area, share_area, start_area;

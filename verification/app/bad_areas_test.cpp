@@ -95,7 +95,7 @@ const BadArea mistakes[] = {
     {"an_area_that_another_one_replaces",
      "[forces.areas.a]\nkind = \"face\"\neps = 3e7\n"
      "[forces.areas.b]\nnames = \"*/face\"\nlaw = \"detournay\"\neps = 3e7\nzeta = 0.5\n",
-     "18: forces.areas.a: found coefficients of parts whose laws all come from more particular "
+     "18: forces.areas.a: found coefficients of parts whose laws all come from more specific "
      "areas, expected a law, or the coefficients in those areas"},
     {"a_coefficient_out_of_its_range", "[forces.areas.a]\nkind = \"face\"\neps = \"-2 MPa\"\n",
      "20: forces.areas.a.eps: found \"-2 MPa\", expected pressure in Pa, > 0"},

@@ -120,11 +120,12 @@ const Wrong wrongs[] = {
     {"forces_without_sections",
      "bit-b-3000psi",
      {"measure.section=off"},
-     "found measure.section = \"off\", expected sections: a cutter's force comes from them"},
+     "found measure.section = \"off\", expected sections, from which the forces of cutters are "
+     "computed"},
     {"sections_in_turn_of_a_bit_that_forces_move",
      "drill-bit-b",
      {"measure.section_every=4"},
-     "--set: measure.section_every: found 4, expected 1 where forces move the bit"},
+     "--set: measure.section_every: found 4, expected 1 if forces move the bit"},
     {"a_rock_that_nobody_knows",
      "drill-bit-b",
      {"rock.material=cheese"},
@@ -193,7 +194,7 @@ const Wrong wrongs[] = {
      "string-drill-bit-b",
      {"string.top.log={file='" TDBD_SOURCE_DIR
       "/cases/string-rig-log.las', time='TIME', rotary_speed='RPM', start='55 s'}"},
-     "motion.rotary_speed: found a value beside that of the log, expected one of the two"},
+     "motion.rotary_speed: found a value in addition to that of the log, expected one of the two"},
     {"no_time_between_profiles",
      "string-drill-bit-b",
      {"output.string_profile_every=0"},

@@ -147,7 +147,7 @@ const Mistake mistakes[] = {
      "integral = \"6e3 N m/rad\"\naxial = \"autodriller\"\ngain = 1e-6\nintegral_gain = 2e-7\n"
      "[motion]\nweight_on_bit = \"10 kN\"\nrate_of_penetration = \"1 m/h\"",
      "27: motion.rate_of_penetration: found a rate with axial = \"autodriller\", expected "
-     "weight_on_bit alone: the autodriller finds the rate"},
+     "weight_on_bit alone: the autodriller determines the rate"},
     {"weight_with_a_rate", "[motion]", "[motion]\nweight_on_bit = \"10 kN\"",
      "23: motion.weight_on_bit: found a weight without an autodriller, expected string.top.axial = "
      "\"autodriller\", or rate_of_penetration"},
@@ -226,13 +226,12 @@ const WrongLog wrong_logs[] = {
      "23: string.top.log.file: found a log without a column to use, expected rotary_speed, "
      "block_speed or hook_load: the name of a column"},
     {"a_speed_in_the_case_as_well", "case.toml", "[time]", "[motion]\nrotary_speed = 1\n[time]",
-     "27: motion.rotary_speed: found a value beside that of the log, expected one of the two: see "
-     "[string.top.log]"},
+     "27: motion.rotary_speed: found a value in addition to that of the log, expected one of the "
+     "two: see [string.top.log]"},
     {"a_rate_in_the_case_as_well", "case.toml", "[time]",
      "[motion]\nrate_of_penetration = 1\n[time]",
-     "27: motion.rate_of_penetration: found a value beside that of the log, expected one of the "
-     "two: "
-     "see [string.top.log]"},
+     "27: motion.rate_of_penetration: found a value in addition to that of the log, expected one "
+     "of the two: see [string.top.log]"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Logs, BadLog, ::testing::ValuesIn(wrong_logs),
@@ -253,11 +252,10 @@ TEST(StringCommand, runs_with_a_log_and_refuses_a_hook_load_beside_that_of_the_l
   c.edit("case.toml", "torsion = \"pi\"", "torsion = \"pi\"\naxial = \"hook-load\"");
   EXPECT_EQ(c.run({"--quiet", "--force"}).exit_code, 0);
   c.edit("case.toml", "axial =", "hook_load = 1e5\naxial =");
-  expect_refusal(
-      c.run({"--force"}),
-      c.path("case.toml").string() +
-          ":19: string.top.hook_load: found a value beside that of the log, expected one "
-          "of the two: see [string.top.log]");
+  expect_refusal(c.run({"--force"}),
+                 c.path("case.toml").string() +
+                     ":19: string.top.hook_load: found a value in addition to that of the log, "
+                     "expected one of the two: see [string.top.log]");
 }
 
 TEST(StringCommand, runs_and_refuses_to_overwrite) {

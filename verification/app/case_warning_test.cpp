@@ -87,8 +87,8 @@ TEST(CaseWarning, tells_edges_that_show_no_cutter) {
   const auto o = c.check({"--set", "rock.edge_length=9 mm"});
   EXPECT_EQ(o.exit_code, 0);
   EXPECT_EQ(o.err,
-            "tdbd: warning: --set: rock.edge_length: edges of 9 mm do not show what a part 16 mm "
-            "wide cuts; volumes and forces mean something with at most half of that\n");
+            "tdbd: warning: --set: rock.edge_length: edges of 9 mm do not resolve the cuts of a "
+            "part 16 mm wide; for meaningful volumes and forces use at most half of that\n");
 }
 
 /// Above the rock or beside it: before the run by its way, and at its end by what it removed.

@@ -195,9 +195,9 @@ bit::Bit bit_of_cones(int count) {
 /// frames, at random times.
 double farthest_carried(const bit::Bit& b, Random& random) {
   simulation::Motion motion = steady();
-  motion.cone_speeds.reserve(b.cones.size());
+  motion.cones.speeds.reserve(b.cones.size());
   for (std::size_t k = 0; k < b.cones.size(); ++k)
-    motion.cone_speeds.push_back(random.uniform(-2.0, 2.0));
+    motion.cones.speeds.push_back(random.uniform(-2.0, 2.0));
   const double t = random.uniform(0.0, 3.0);
   const std::vector<double> angles = cone_angles(motion, t);
   const Pose X_WB = pose_at(motion, t);
@@ -208,7 +208,7 @@ double farthest_carried(const bit::Bit& b, Random& random) {
     if (part.cone >= 0) {
       const auto k = static_cast<std::size_t>(part.cone);
       expected = carried(X_WB, b.cones[k], part.X_BP * x_P,
-                         -motion.cone_speeds[k] * motion.rotary_speed * t);
+                         -motion.cones.speeds[k] * motion.rotary_speed * t);
     }
     farthest = std::max(farthest, (X_WB * (part_pose(b, part, angles) * x_P) - expected).norm());
   }

@@ -9,6 +9,7 @@
 #include "rock/maintain/maintain.hpp"
 #include "rock/maintain/operations.hpp"
 #include "verification/battery/rock_surfaces.hpp"
+#include "verification/rock/maintain/bare_limits.hpp"
 
 /// Tables that figures of section 4.2 are drawn of: what maintenance did to small sheets of rock
 /// (reports/figures).
@@ -58,7 +59,7 @@ void mark(Json& row, const mesh::Surface& s, const Edge& e) {
   row["edge"] = {list(s.position(e.a)), list(s.position(e.b))};
 }
 
-rock::MaintenanceLimits limits() { return rock::limits_for(2.0 * half / cells); }
+rock::MaintenanceLimits limits() { return rock::bare_limits_for(2.0 * half / cells); }
 
 TEST(RockFigures, show_the_collapse_of_an_edge) {
   const rock::Rock before = sheet(5);

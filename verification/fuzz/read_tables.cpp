@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "fuzz/readers.hpp"
 #include "fuzz/scratch_folder.hpp"
-#include "simulation/case/path_table.hpp"
+#include "simulation/case/motion.hpp"
 #include "simulation/rotate/rotate_loads.hpp"
 
 namespace tdbd::fuzz {

@@ -7,6 +7,7 @@
 #include "rock/maintain/maintain.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
+#include "verification/rock/maintain/bare_limits.hpp"
 
 namespace tdbd::rock::rock_test {
 
@@ -15,7 +16,7 @@ void drill(const Scene& s, const CuttingBit& bit, Rock& rock, CutReport& report)
   MaintenanceWorkspace maintenance;
   MaintenanceReport repairs;
   cut_rock(rock, bit, s.X_WB0, s.X_WB1, work, report);
-  maintain(rock, limits_for(0.3), maintenance, repairs);
+  maintain(rock, bare_limits_for(0.3), maintenance, repairs);
 }
 
 /// Between two cuts and their maintenance, about any box: the vertices, the triangles and the

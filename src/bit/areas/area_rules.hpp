@@ -1,13 +1,18 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "bit/bit.hpp"
+#include "core/config/fields.hpp"
 
 namespace tdbd::bit {
+
+/// Which parts an area may select: those of cones too, or only those of cutters.
+enum class Selectable { all, of_cutters };
 
 /// Selects the parts of an area: those that meet every given criterion. The criteria are listed
 /// from the most general to the most specific. Thesis: chapter 3, behaviour by area.
@@ -19,6 +24,48 @@ struct AreaSelector {
   std::optional<int> row = {};            ///< J of "cone-K/row-J/tooth-I"
   std::optional<std::string> names = {};  ///< pattern of the part's name (core/wildcard.hpp)
   std::optional<std::string> part = {};   ///< name of a single part
+
+  void visit(FieldVisitor& v, Selectable parts = Selectable::all) {
+    std::string name_of_kind = kind ? kind_name(*kind) : "";
+    v.name(name_of_kind, {.name = "kind",
+                          .names = &part_kind_names,
+                          .need = Need::optional,
+                          .usual = "any",
+                          .meaning = "the parts of this kind"});
+    if (!name_of_kind.empty()) kind = part_kind_named(name_of_kind);
+    v(zone, {.name = "zone",
+             .usual = "any",
+             .meaning = "the parts of cutters with this label (cone, nose, shoulder, gage, or that "
+                        "of the table); gage: also gage pads and the teeth of gage rows"});
+    v(blade, {.name = "blade",
+              .usual = "any",
+              .hi = std::numeric_limits<int>::max(),
+              .meaning = "the parts of the cutters on this blade"});
+    if (parts == Selectable::all) {
+      v(cone, {.name = "cone",
+               .usual = "any",
+               .lo = 1,
+               .hi = std::numeric_limits<int>::max() - 1,
+               .meaning = "the parts of cone-K"});
+      v(row, {.name = "row",
+              .usual = "any",
+              .lo = 1,
+              .hi = std::numeric_limits<int>::max() - 1,
+              .meaning = "the teeth of row-J, of every cone"});
+    }
+    v(names,
+      {.name = "names",
+       .usual = "any",
+       .meaning = "the parts whose names match: * stands for any text, ? for any character"});
+    v(part, {.name = "part", .usual = "any", .meaning = "the part of this name"});
+  }
+};
+
+/// The criteria for parts of cutters alone.
+struct CutterAreaSelector {
+  AreaSelector selector;
+
+  void visit(FieldVisitor& v) { selector.visit(v, Selectable::of_cutters); }
 };
 
 /// An area that defines properties of its parts.

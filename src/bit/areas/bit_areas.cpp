@@ -6,7 +6,6 @@
 #include <array>
 #include <map>
 
-#include "bit/areas/bit_area_keys.hpp"
 #include "bit/areas/read_areas.hpp"
 #include "bit/cone/cone_measures.hpp"
 #include "bit/cone/cone_parts.hpp"
@@ -32,80 +31,70 @@ struct StartSetting {
   bool operator==(const StartSetting&) const = default;
 };
 
-using bit_area_keys::Material;
-
 std::string name_of(Material material) {
-  for (const auto& named : bit_area_keys::material.values)
+  for (const auto& named : AreaProperties::materials)
     if (!named.name.empty() && named.value == material) return std::string(named.name);
   return "";
 }
 
-/// `materials`: per area, the name of its material.
-Values read_densities(Areas& areas, std::vector<std::string>& materials) {
-  Values v(areas.tables.size());
-  materials.resize(areas.tables.size());
-  for (std::size_t i = 0; i < areas.tables.size(); ++i) {
-    Config& c = areas.tables[i].config;
-    if (c.has(bit_area_keys::material)) {
-      const auto material = c.read(bit_area_keys::material, std::optional(Material::steel));
-      v.of_area[i] = bit_area_keys::density_of(material);
-      materials[i] = name_of(material);
-      v.shown[i] = fmt::format("{}, {:g} kg/m3", materials[i], *v.of_area[i]);
-    }
-    if (!c.has(bit_area_keys::density)) continue;
-    if (v.of_area[i]) c.problem(bit_area_keys::density, "material as well", "one of the two");
-    v.of_area[i] = c.read(bit_area_keys::density, 0.0);
+/// Reads the properties that each area defines.
+std::vector<AreaProperties> read_properties(Areas& areas) {
+  std::vector<AreaProperties> given(areas.tables.size());
+  for (std::size_t i = 0; i < given.size(); ++i) read_fields(areas.tables[i].config, given[i]);
+  return given;
+}
+
+Values densities_of(Areas& areas, const std::vector<AreaProperties>& given) {
+  Values v(given.size());
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const AreaProperties& g = given[i];
+    if (g.material && g.density)
+      areas.tables[i].config.problem("density", "material as well", "one of the two");
+    if (g.material) v.of_area[i] = density_of(*g.material);
+    if (g.density) v.of_area[i] = *g.density;
+    if (!v.of_area[i]) continue;
     v.shown[i] = fmt::format("{:g} kg/m3", *v.of_area[i]);
+    if (g.material && !g.density) v.shown[i] = name_of(*g.material) + ", " + v.shown[i];
   }
   return v;
 }
 
-Values read_cutting(Areas& areas) {
-  Values v(areas.tables.size());
-  for (std::size_t i = 0; i < areas.tables.size(); ++i) {
-    Config& c = areas.tables[i].config;
-    if (!c.has(bit_area_keys::cutting)) continue;
-    const Cutting cutting = c.read(bit_area_keys::cutting, std::optional(Cutting::cuts));
-    v.of_area[i] = static_cast<double>(cutting);
-    v.shown[i] = '"' + cutting_name(cutting) + '"';
+Values cutting_of(const std::vector<AreaProperties>& given) {
+  Values v(given.size());
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (!given[i].cutting) continue;
+    v.of_area[i] = static_cast<double>(*given[i].cutting);
+    v.shown[i] = '"' + cutting_name(*given[i].cutting) + '"';
   }
   return v;
 }
 
-Values read_shares(Areas& areas) {
-  Values v(areas.tables.size());
-  for (std::size_t i = 0; i < areas.tables.size(); ++i) {
-    Config& c = areas.tables[i].config;
-    if (!c.has(bit_area_keys::share)) continue;
-    v.of_area[i] = c.read(bit_area_keys::share);
-    v.shown[i] = fmt::format("a share of {:g}", *v.of_area[i]);
+Values shares_of(const std::vector<AreaProperties>& given) {
+  Values v(given.size());
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    v.of_area[i] = given[i].share;
+    if (given[i].share) v.shown[i] = fmt::format("a share of {:g}", *given[i].share);
   }
   return v;
 }
 
 /// Records a mistake if the pattern matches no cutter of the bit.
-std::string read_worn_names(Config& c, const Bit& bit) {
-  if (!c.has(bit_area_keys::worn_names)) return "*";
-  const std::string pattern = c.read(bit_area_keys::worn_names);
+void check_worn_names(Config& c, const Bit& bit, const std::string& pattern) {
   if (!bit.parts.empty() && std::ranges::none_of(bit.parts, [&](const Part& p) {
         return p.cutter >= 0 && fits(pattern, p.name);
       }))
-    c.problem(bit_area_keys::worn_names,
+    c.problem("removal.worn_names",
               fmt::format("\"{}\", which no part of a cutter matches", pattern),
               "a pattern of names of parts of cutters, as bit.json lists them");
-  return pattern;
 }
 
-StartSetting read_start(Config& c, const Bit& bit) {
-  if (c.has(bit_area_keys::from_depth))
-    return {StartEvent::depth, c.read(bit_area_keys::from_depth, 0.0), {}};
-  if (c.has(bit_area_keys::from_time))
-    return {StartEvent::time, c.read(bit_area_keys::from_time, 0.0), {}};
-  StartSetting start{StartEvent::wear, c.read(bit_area_keys::from_wear, 0.0),
-                     read_worn_names(c, bit)};
+StartSetting start_of(Config& c, const Bit& bit, const AreaProperties& given) {
+  if (given.from_depth) return {StartEvent::depth, *given.from_depth, {}};
+  if (given.from_time) return {StartEvent::time, *given.from_time, {}};
+  if (given.worn_names) check_worn_names(c, bit, *given.worn_names);
   if (!bit.parts.empty() && bit.cutters.empty())
-    c.problem(bit_area_keys::from_wear, "a bit without cutters", "cutters, which wear");
-  return start;
+    c.problem("removal.from_wear", "a bit without cutters", "cutters, which wear");
+  return {StartEvent::wear, *given.from_wear, given.worn_names.value_or("*")};
 }
 
 std::string shown_start(const StartSetting& start) {
@@ -118,27 +107,26 @@ std::string shown_start(const StartSetting& start) {
 /// Records a mistake if an area has two starts.
 void require_one_start(Config& c) {
   std::string_view first;
-  for (const QuantityKey* key :
-       {&bit_area_keys::from_depth, &bit_area_keys::from_time, &bit_area_keys::from_wear}) {
-    if (!c.has(*key)) continue;
-    if (!first.empty()) c.problem(*key, fmt::format("{} as well", first), "one of the two");
-    first = key->name;
+  for (const std::string_view key :
+       {"removal.from_depth", "removal.from_time", "removal.from_wear"}) {
+    if (!c.has(key)) continue;
+    if (!first.empty()) c.problem(key, fmt::format("{} as well", first), "one of the two");
+    first = key;
   }
-  if (c.has(bit_area_keys::worn_names) && !c.has(bit_area_keys::from_wear))
-    c.problem(bit_area_keys::worn_names, "no removal.from_wear", "removal.from_wear beside it");
+  if (c.has("removal.worn_names") && !c.has("removal.from_wear"))
+    c.problem("removal.worn_names", "no removal.from_wear", "removal.from_wear beside it");
 }
 
 /// Equal starts have equal values.
-Values read_starts(Areas& areas, const Bit& bit, std::vector<StartSetting>& starts) {
-  Values v(areas.tables.size());
-  for (std::size_t i = 0; i < areas.tables.size(); ++i) {
+Values starts_of(Areas& areas, const Bit& bit, const std::vector<AreaProperties>& given,
+                 std::vector<StartSetting>& starts) {
+  Values v(given.size());
+  for (std::size_t i = 0; i < given.size(); ++i) {
     Config& c = areas.tables[i].config;
     require_one_start(c);
     starts.emplace_back();
-    if (!c.has(bit_area_keys::from_depth) && !c.has(bit_area_keys::from_time) &&
-        !c.has(bit_area_keys::from_wear))
-      continue;
-    starts[i] = read_start(c, bit);
+    if (!given[i].from_depth && !given[i].from_time && !given[i].from_wear) continue;
+    starts[i] = start_of(c, bit, given[i]);
     v.of_area[i] = static_cast<double>(std::ranges::find(starts, starts[i]) - starts.begin());
     v.shown[i] = shown_start(starts[i]);
   }
@@ -171,10 +159,9 @@ bool counts_elsewhere(const Part& part, const std::vector<std::string>& without_
          std::ranges::find(without_density, part.name) == without_density.end();
 }
 
-void apply_densities(Areas& areas, const Values& v, const std::vector<std::string>& materials,
+void apply_densities(Areas& areas, const Values& v, const std::vector<AreaProperties>& given,
                      Bit& bit, std::vector<std::string>& without_density) {
-  const std::vector<int> decided =
-      decide_or_report(areas, bit, bit_area_keys::density, v.of_area, v.shown);
+  const std::vector<int> decided = decide_or_report(areas, bit, "density", v.of_area, v.shown);
   for (std::size_t i = 0; i < areas.tables.size(); ++i) {
     const std::vector<int> parts = parts_of_rule(areas, static_cast<int>(i));
     if (!v.of_area[i] || parts.empty()) continue;
@@ -182,7 +169,7 @@ void apply_densities(Areas& areas, const Values& v, const std::vector<std::strin
           return counts_elsewhere(bit.parts[static_cast<std::size_t>(p)], without_density);
         }))
       areas.tables[i].config.problem(
-          bit_area_keys::density,
+          "density",
           fmt::format("{} for {}, whose volume counts elsewhere", v.shown[i],
                       bit.parts[static_cast<std::size_t>(parts.front())].name),
           "criteria that select a part with a density");
@@ -193,14 +180,14 @@ void apply_densities(Areas& areas, const Values& v, const std::vector<std::strin
     const auto area = static_cast<std::size_t>(decided[p]);
     part.density = *v.of_area[area];
     part.density_area = areas.rules[area].name;
-    part.material = materials[area];
+    part.material = given[area].material ? name_of(*given[area].material) : "";
     std::erase(without_density, part.name);
   }
 }
 
 void apply_cutting(Areas& areas, const Values& v, Bit& bit) {
   const std::vector<int> decided =
-      decide_or_report(areas, bit, bit_area_keys::cutting, v.of_area, v.shown);
+      decide_or_report(areas, bit, "removal.cutting", v.of_area, v.shown);
   for (std::size_t p = 0; p < decided.size(); ++p) {
     if (decided[p] < 0) continue;
     Part& part = bit.parts[p];
@@ -210,7 +197,7 @@ void apply_cutting(Areas& areas, const Values& v, Bit& bit) {
     if (part.cutting == Cutting::rubs &&
         (part.kind == PartKind::face || part.kind == PartKind::chamfer))
       areas.tables[area].config.problem(
-          bit_area_keys::cutting, fmt::format("\"rubs\" for {}", part.name),
+          "removal.cutting", fmt::format("\"rubs\" for {}", part.name),
           fmt::format("\"yes\" or \"no\" for a {}, whose force comes from what the face cuts",
                       kind_words(part.kind)));
   }
@@ -224,7 +211,7 @@ bool passes_over_rock(const Part& part) {
 
 void apply_shares(Areas& areas, const Values& v, Bit& bit) {
   const std::vector<int> decided =
-      decide_or_report(areas, bit, bit_area_keys::share, v.of_area, v.shown);
+      decide_or_report(areas, bit, "removal.share", v.of_area, v.shown);
   for (std::size_t p = 0; p < decided.size(); ++p) {
     if (decided[p] < 0) continue;
     Part& part = bit.parts[p];
@@ -233,11 +220,11 @@ void apply_shares(Areas& areas, const Values& v, Bit& bit) {
     part.share = *v.of_area[area];
     part.share_area = areas.rules[area].name;
     if (part.cutting != Cutting::cuts)
-      c.problem(bit_area_keys::share,
+      c.problem("removal.share",
                 fmt::format("{} for {}, which removes no rock", v.shown[area], part.name),
                 "removal.cutting = \"yes\" for it, or criteria without it");
     else if (part.share < 1.0 && !passes_over_rock(part))
-      c.problem(bit_area_keys::share,
+      c.problem("removal.share",
                 fmt::format("{} for {}, a {}, which rock beside it never leaves", v.shown[area],
                             part.name, kind_words(part.kind)),
                 "criteria that select parts of cutters, gage pads or teeth");
@@ -247,7 +234,7 @@ void apply_shares(Areas& areas, const Values& v, Bit& bit) {
 void apply_starts(Areas& areas, const Values& v, const std::vector<StartSetting>& starts,
                   Bit& bit) {
   const std::vector<int> decided =
-      decide_or_report(areas, bit, bit_area_keys::from_depth, v.of_area, v.shown);
+      decide_or_report(areas, bit, "removal.from_depth", v.of_area, v.shown);
   for (std::size_t p = 0; p < decided.size(); ++p) {
     if (decided[p] < 0) continue;
     Part& part = bit.parts[p];
@@ -292,18 +279,29 @@ std::string start_lines(const LateStart& start) {
 
 }  // namespace
 
+double density_of(Material m) {
+  switch (m) {
+    case Material::steel:
+      return 7850.0;
+    case Material::tungsten_carbide:
+      return 14.9e3;
+    case Material::pdc_diamond:
+      break;
+  }
+  return 3500.0;
+}
+
 void apply_areas(Config& file, Bit& bit, std::vector<std::string>& without_density) {
-  if (!file.has(bit_area_keys::areas)) return;
-  Areas areas =
-      read_areas(file.table(bit_area_keys::areas), bit, fmt::format("the bit {}", bit.name));
+  if (!file.has("areas")) return;
+  Areas areas = read_areas(file.table("areas"), bit, fmt::format("the bit {}", bit.name));
   const double reach_of_design = largest_turned_radius(bit);
   std::vector<StartSetting> given_starts;
-  std::vector<std::string> materials;
-  const Values density = read_densities(areas, materials), cutting = read_cutting(areas),
-               share = read_shares(areas), start = read_starts(areas, bit, given_starts);
+  const std::vector<AreaProperties> given = read_properties(areas);
+  const Values density = densities_of(areas, given), cutting = cutting_of(given),
+               share = shares_of(given), start = starts_of(areas, bit, given, given_starts);
   require_known_removal(areas);
   require_properties(areas, {&density, &cutting, &share, &start});
-  apply_densities(areas, density, materials, bit, without_density);
+  apply_densities(areas, density, given, bit, without_density);
   apply_cutting(areas, cutting, bit);
   apply_shares(areas, share, bit);
   apply_starts(areas, start, given_starts, bit);
@@ -312,7 +310,7 @@ void apply_areas(Config& file, Bit& bit, std::vector<std::string>& without_densi
   if (file.problem_count() == 0 && std::ranges::none_of(bit.parts, [](const Part& p) {
         return final_cutting(p) == Cutting::cuts;
       }))
-    file.problem(bit_area_keys::areas.name, "no part that cuts", "at least one");
+    file.problem("areas", "no part that cuts", "at least one");
 }
 
 std::string areas_text(const Bit& bit) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "bit/areas/area_keys.hpp"
 #include "core/text.hpp"
 
 namespace tdbd::bit {
@@ -16,30 +15,6 @@ bool is_area_name(const std::string& name) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_';
   });
-}
-
-template <class Key>
-std::optional<int> read_number(Config& c, const Key& key) {
-  if (!c.has(key)) return std::nullopt;
-  return static_cast<int>(c.read(key));
-}
-
-template <class Key>
-std::optional<std::string> read_text(Config& c, const Key& key) {
-  if (!c.has(key)) return std::nullopt;
-  return c.read(key);
-}
-
-AreaSelector read_selector(Config& c) {
-  AreaSelector s;
-  if (c.has(area_keys::kind)) s.kind = part_kind_named(c.read(area_keys::kind));
-  s.zone = read_text(c, area_keys::zone);
-  s.blade = read_number(c, area_keys::blade);
-  s.cone = read_number(c, area_keys::cone);
-  s.row = read_number(c, area_keys::row);
-  s.names = read_text(c, area_keys::names);
-  s.part = read_text(c, area_keys::part);
-  return s;
 }
 
 /// Formats a selector: "kind = tooth, zone = nose".
@@ -134,7 +109,8 @@ Areas read_areas(Config areas, const Bit& bit, const std::string& where) {
     }
     const std::size_t before = areas.problem_count();
     Config c = areas.table(name);
-    AreaTable table{{name, c.place(""), read_selector(c)}, c};
+    AreaTable table{{name, c.place(""), {}}, c};
+    read_fields(c, table.rule.selector);
     if (c.problem_count() == before) check_selector(c, table.rule.selector, bit, where);
     if (c.problem_count() != before) wrong.insert(static_cast<int>(read.rules.size()));
     read.rules.push_back(table.rule);

@@ -22,7 +22,7 @@ struct Areas {
   RulesOfParts of_parts;        ///< without the rules that have a mistake
 };
 
-/// Reads the tables [areas.NAME] in `areas` (area_keys). Records as mistakes, at the area's place:
+/// Reads the tables [areas.NAME] in `areas` (AreaSelector). Records as mistakes, at the area's place:
 /// a name that contains anything but letters, digits, - and _; no criterion; criteria that no part
 /// of the bit meets. `where`: the name of the bit in messages ("bit-b of cases/bits/bit-b.toml").
 /// Nothing is checked for a bit without parts, whose mistakes are recorded elsewhere.

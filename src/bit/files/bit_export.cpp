@@ -10,7 +10,7 @@
 #include "bit/cone/swept_parts.hpp"
 #include "bit/cutter/cutter_table.hpp"
 #include "bit/files/cone_file.hpp"
-#include "bit/files/solid_cones.hpp"
+#include "bit/files/solids_file.hpp"
 #include "bit/profile/exposure_profile.hpp"
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"

@@ -6,18 +6,17 @@
 #include <limits>
 #include <utility>
 
-#include "bit/areas/bit_area_keys.hpp"
+#include "bit/areas/area_rules.hpp"
 #include "bit/areas/bit_areas.hpp"
 #include "bit/cone/cone_measures.hpp"
 #include "bit/cutter/cutter_table.hpp"
-#include "bit/files/adjust_file.hpp"
 #include "bit/files/bit_parts.hpp"
-#include "bit/files/blade_file.hpp"
 #include "bit/files/cone_file.hpp"
-#include "bit/files/design_file.hpp"
-#include "bit/files/design_keys.hpp"
+#include "bit/files/cone_settings.hpp"
+#include "bit/files/design_settings.hpp"
 #include "bit/files/mesh_cutters.hpp"
-#include "bit/files/pdc_keys.hpp"
+#include "bit/files/mesh_settings.hpp"
+#include "bit/files/pdc_file.hpp"
 #include "bit/files/solids_file.hpp"
 #include "bit/pdc/pdc_bit.hpp"
 #include "core/config/config.hpp"
@@ -26,40 +25,10 @@
 namespace tdbd::bit {
 namespace {
 
-CutterDefaults read_cutter_defaults(Config c) {
-  CutterDefaults d;
-  d.chamfer = c.read(cutter_keys::chamfer);
-  d.chamfer_angle = c.read(cutter_keys::chamfer_angle);
-  d.length = c.read(cutter_keys::length);
-  d.table_thickness = c.read(cutter_keys::table_thickness);
-  d.land = c.read(cutter_keys::land);
-  d.land_angle = c.read(cutter_keys::land_angle);
-  return d;
-}
-
-CutterMeshing read_meshing(Config c) {
-  CutterMeshing m;
-  m.grading = c.read(cutter_mesh_keys::grading);
-  m.rim_segments = static_cast<int>(c.read(cutter_mesh_keys::rim_segments));
-  m.uniform_edge = c.read(cutter_mesh_keys::uniform_edge);
-  return m;
-}
-
-GagePads read_pads(Config c) {
-  GagePads p;
-  p.count = static_cast<int>(c.read(gage_pad_keys::count));
-  p.length = c.read(gage_pad_keys::length);
-  p.width = c.read(gage_pad_keys::width);
-  p.under_gage = c.read(gage_pad_keys::under_gage);
-  p.thickness = c.read(gage_pad_keys::thickness);
-  p.behind = c.read(gage_pad_keys::behind);
-  return p;
-}
-
 /// The gage is that of the outermost tip, as far as it could be read.
 void check_pads(Config& file, const std::vector<Cutter>& cutters, const GagePads& pads) {
   if (cutters.empty() || file.problem_count() > 0) return;
-  Config c = file.table(gage_pad_keys::table);
+  Config c = file.table(PadSettings::table);
   const double gage = std::ranges::max(cutters, {}, &Cutter::tip_radius).tip_radius;
   for (const PadProblem& p : pad_problems(pads, gage)) c.problem(p.key, p.found, p.expected);
 }
@@ -98,31 +67,34 @@ void require_cutters_inside_gage(const Bit& bit, double gage_radius, const std::
   if (!lines.empty()) throw InputError(lines);
 }
 
-/// A design requires its gage diameter; a table does not.
-std::optional<double> any_gage(bool designed) {
-  if (designed) return {};
-  return std::numeric_limits<double>::infinity();
+/// In m. A design requires its gage diameter; a table does not.
+double read_gage_radius(Config& c, bool designed) {
+  GageDiameter s{designed ? 0.0 : std::numeric_limits<double>::infinity()};
+  read_fields(c, s);
+  return 0.5 * s.gage_diameter;
 }
 
 BitFile read_pdc_bit(Config& c, const std::string& name, DirectionRule directions,
                      InsideRule inside) {
   const bool designed = c.has("design");
-  const std::string table = designed ? "" : c.read(bit_file_keys::cutter_table);
-  const CutterDefaults defaults = read_cutter_defaults(c.table(cutter_keys::table));
+  CutterTableFile from;
+  if (!designed) read_fields(c, from);
+  const std::string& table = from.table_file;
+  const CutterDefaults defaults = read_table<CutterSettings>(c).cutters;
   PdcOptions options;
-  options.meshing = read_meshing(c.table(cutter_mesh_keys::table));
-  options.pads = read_pads(c.table(gage_pad_keys::table));
+  options.meshing = read_table<CutterMeshSettings>(c).mesh;
+  options.pads = read_table<PadSettings>(c).pads;
   options.blades = read_blades(c);
   options.directions = directions;
   options.inside = inside;
-  const double gage_radius = 0.5 * c.read(bit_file_keys::gage_diameter, any_gage(designed));
+  const double gage_radius = read_gage_radius(c, designed);
   std::vector<Cutter> cutters =
-      designed ? read_design(c.table(design_keys::table), gage_radius, defaults)
+      designed ? read_design(c.table(DesignSettings::table), gage_radius, defaults)
                : read_table(c, table, defaults);
-  adjust_cutters(c.table(adjust_keys::table), cutters);
+  adjust_cutters(c.table(Adjustment::table), cutters);
   check_pads(c, cutters, options.pads);
   if (options.blades) check_blades(c, cutters, *options.blades);
-  c.finish_before(bit_area_keys::areas);
+  c.finish_before("areas");
   Bit bit = pdc_bit(name, cutters, options);
   require_cutters_inside_gage(bit, gage_radius, designed ? c.files().front() : table);
   std::vector<std::string> without_density;
@@ -137,7 +109,7 @@ BitFile read_mesh_bit(Config& c, const std::string& name, DirectionRule directio
   bit.name = name;
   PartsFromFiles read = c.has("solids") ? read_solid_parts(c, directions, inside, densities)
                                         : read_parts(c, directions, inside, densities);
-  c.finish_before(bit_area_keys::areas);
+  c.finish_before("areas");
   set_profile_directions(read, directions, inside);
   bit.parts = std::move(read.parts);
   bit.cones = std::move(read.cones);
@@ -171,10 +143,33 @@ void require_one_source(Config& c) {
 
 }  // namespace
 
+std::vector<KeyTable> bit_tables() {
+  const std::string command = "bit";
+  std::vector<KeyTable> all{
+      table_of<NameOfBit, CutterTableFile, GageDiameter, UnitCheck, InterferenceSetting>(
+          command, NameOfBit::table),
+      table_of<CutterMeshSettings, ConeMeshSettings>(
+          command, {"mesh", "the meshes of cutters, or of cones and their teeth"}),
+      table_of<ConeSettings, ConeJournal>(command, ConeSettings::table),
+      table_of<PartSettings, MeshFile, PartDirection>(command, PartSettings::table),
+      table_of<SolidRuleSettings, PartDirection>(command, SolidRuleSettings::table),
+      table_of<AreaSelector, AreaProperties>(command, AreaProperties::table)};
+  for (KeyTable& table :
+       tables_of<CutterSettings, PadSettings, Adjustment, BladeSettings, DesignSettings,
+                 ProfileSettings, DesignBladeSettings, DiameterByPlace, OverlapByPlace,
+                 BackRakeByPlace, SideRakeByPlace, WearByPlace, BackupSettings, GageRowSettings,
+                 JournalSettings, ToothSettings, ToothRowSettings, ShankSettings, LegSettings,
+                 SolidSettings, SolidConeSettings>(command))
+    all.push_back(std::move(table));
+  return all;
+}
+
 BitFile read_bit(const std::string& path, DirectionRule directions, InsideRule inside,
                  Densities densities, const std::vector<std::string>& overrides) {
   Config c = Config::read_file(path, overrides, "bit.set");
-  const std::string name = c.read(bit_file_keys::name);
+  NameOfBit top;
+  read_fields(c, top);
+  const std::string& name = top.name;
   require_one_source(c);
   if (c.has("cones")) {
     Bit bit = read_cone_bit(c, name);

@@ -6,6 +6,7 @@
 #include "bit/bit.hpp"
 #include "bit/files/bit_parts.hpp"
 #include "bit/update_direction.hpp"
+#include "core/config/key_table.hpp"
 
 namespace tdbd::bit {
 
@@ -17,12 +18,15 @@ struct BitFile {
   std::vector<std::string> without_density = {};  ///< parts from meshes whose mass is unknown
 };
 
-/// Builds a bit from its file. The file contains a cutter table or a design (design_file.hpp) with
-/// defaults, meshing, gage pads (thesis 3.1, app. A) and blades (blade_file.hpp); or the meshes of
-/// its parts (bit_parts.hpp) or of the whole bit (solids_file.hpp); or roller cones
-/// (cone_file.hpp). If densities are required, parts from meshes without one are a mistake. Throws
-/// InputError that lists every mistake in the file and its table, or the cutters that reach beyond
-/// the file's gage_diameter. `overrides` change keys of the bit file, "key=value".
+/// Returns every table that a bit file may have, for `tdbd keys`.
+std::vector<KeyTable> bit_tables();
+
+/// Builds a bit from its file. The file contains a cutter table or a design with defaults, meshing,
+/// gage pads (thesis 3.1, app. A) and blades (pdc_file.hpp); or the meshes of its parts
+/// (bit_parts.hpp) or of the whole bit (solids_file.hpp); or roller cones (cone_file.hpp). If
+/// densities are required, parts from meshes without one are a mistake. Throws InputError that
+/// lists every mistake in the file and its table, or the cutters that reach beyond the file's
+/// gage_diameter. `overrides` change keys of the bit file, "key=value".
 BitFile read_bit(const std::string& path, DirectionRule directions, InsideRule inside,
                  Densities densities = Densities::as_given,
                  const std::vector<std::string>& overrides = {});

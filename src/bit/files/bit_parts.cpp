@@ -6,9 +6,8 @@
 #include <iterator>
 #include <limits>
 
-#include "bit/files/mesh_keys.hpp"
-#include "bit/files/part_keys.hpp"
-#include "bit/files/unit_question.hpp"
+#include "bit/files/file_checks.hpp"
+#include "bit/files/mesh_settings.hpp"
 #include "bit/profile/exposure_profile.hpp"
 #include "core/error.hpp"
 #include "mesh/files/files.hpp"
@@ -19,26 +18,24 @@ namespace {
 
 /// If no file is named, only that is reported: a key has at most one problem.
 mesh::TriangleMesh read_part_mesh(Config& c, const std::string& name) {
-  const std::string file = c.read(part_file_keys::file);
-  const double unit = c.read(part_file_keys::unit);
+  MeshFile s;
+  read_fields(c, s);
   const std::string expected = "a closed mesh with outward normals (STL, OBJ, PLY or OFF)";
   try {
-    mesh::TriangleMesh m = mesh::read_mesh(file, unit);
-    report_mesh_faults(c, "file", file, {{name, m}}, expected);
+    mesh::TriangleMesh m = mesh::read_mesh(s.file, s.unit);
+    report_mesh_faults(c, "file", s.file, {{name, m}}, expected);
     return m;
   } catch (const InputError& e) {
-    c.problem(part_file_keys::file, e.what(), expected);
+    c.problem("file", e.what(), expected);
     return {};
   }
 }
 
-bool has_frame(const Config& c) {
-  return c.has(part_file_keys::position) && c.has(part_file_keys::rotation_vector);
-}
+bool has_frame(const Config& c) { return c.has("position") && c.has("rotation_vector"); }
 
 /// A part with its own update direction may have any frame.
 std::optional<Pose> frame_of_cutter(const Config& c, const Part& part) {
-  if (!belongs_to_a_cutter(part.kind) || !has_frame(c) || c.has(part_file_keys::update_direction))
+  if (!belongs_to_a_cutter(part.kind) || !has_frame(c) || c.has("update_direction"))
     return std::nullopt;
   return part.X_BP;
 }
@@ -52,21 +49,19 @@ Vec3 derived_direction(const Config& c, const Part& part, DirectionRule directio
 }
 
 Part read_part(Config& c, DirectionRule directions, InsideRule inside) {
+  PartSettings s;
+  read_fields(c, s);
   Part part;
-  part.name = c.read(part_file_keys::name);
-  if (c.has(part_file_keys::name) && !is_part_name(part.name))
-    c.problem(part_file_keys::name, '"' + part.name + '"',
-              "letters, digits, - and _, with / between");
-  part.kind = part_kind_named(c.read(part_file_keys::kind));
+  part.name = s.name;
+  if (c.has("name") && !is_part_name(part.name))
+    c.problem("name", '"' + part.name + '"', "letters, digits, - and _, with / between");
+  part.kind = part_kind_named(s.kind);
   part.mesh_P = read_part_mesh(c, part.name);
-  part.cutting = c.read(part_file_keys::cutting, part.kind != PartKind::bit_body) ? Cutting::cuts
-                                                                                  : Cutting::never;
-  const bool rubs = c.read(part_file_keys::rubs);
-  if (rubs && part.cutting == Cutting::never) part.cutting = Cutting::rubs;
-  part.density = c.read(part_file_keys::density);
-  part.group = static_cast<int>(c.read(part_file_keys::group));
-  part.X_BP.p = c.read(part_file_keys::position);
-  part.X_BP.R = rotation::exp(c.read(part_file_keys::rotation_vector));
+  part.cutting = s.cutting ? Cutting::cuts : s.rubs ? Cutting::rubs : Cutting::never;
+  part.density = s.density;
+  part.group = s.group;
+  part.X_BP.p = s.position;
+  part.X_BP.R = rotation::exp(s.rotation_vector);
   part.update_direction_B = read_direction(c, derived_direction(c, part, directions, inside));
   return part;
 }
@@ -118,16 +113,18 @@ PartsFromFiles read_parts(Config& file, DirectionRule directions, InsideRule ins
   bool any_cuts = false;
   const bool ask = unit_check_enabled(file);
   double unit = 1.0;
-  std::vector<Config> configs = file.tables(part_file_keys::table);
+  std::vector<Config> configs = file.tables(PartSettings::table);
   for (Config& c : configs) {
     const Part& part = read.parts.emplace_back(read_part(c, directions, inside));
-    read.has_direction.push_back(c.has(part_file_keys::update_direction) || has_frame(c) ||
+    read.has_direction.push_back(c.has("update_direction") || has_frame(c) ||
                                  !belongs_to_a_cutter(part.kind));
     read.frames.push_back(frame_of_cutter(c, part));
-    if (!c.has(part_file_keys::density)) read.without_density.push_back(part.name);
-    if (!c.has(part_file_keys::density) && densities == Densities::required)
-      c.problem(part_file_keys::density, "none of " + part.name, expected_density);
-    unit = c.read(part_file_keys::unit);
+    if (!c.has("density")) read.without_density.push_back(part.name);
+    if (!c.has("density") && densities == Densities::required)
+      c.problem("density", "none of " + part.name, expected_density);
+    MeshFile mesh;
+    read_fields(c, mesh);
+    unit = mesh.unit;
     if (ask) unit_error(c, "unit", part.mesh_P, unit, part_along);
     any_cuts = any_cuts || part.cutting == Cutting::cuts;
     compare_last_with_earlier(c, read);

@@ -36,7 +36,7 @@ struct PartsFromFiles {
 ///                         from the exposure profile; outwards for a gage pad; down for all others
 /// Records every mistake at its line: files that are missing or unreadable, meshes that are open,
 /// flipped or not manifold, two parts of one name, groups that disagree, no part that cuts,
-/// unusual sizes (unit_question.hpp; not with unit_check = "off") and, if densities are required,
+/// unusual sizes (file_checks.hpp; not with unit_check = "off") and, if densities are required,
 /// those that are missing.
 PartsFromFiles read_parts(Config& file, DirectionRule directions, InsideRule inside,
                           Densities densities = Densities::as_given);

@@ -6,15 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "bit/areas/bit_area_keys.hpp"
 #include "bit/areas/bit_areas.hpp"
 #include "bit/cone/cone_bit.hpp"
 #include "bit/cone/cone_faults.hpp"
 #include "bit/cone/cone_interference.hpp"
 #include "bit/cone/cone_parts.hpp"
 #include "bit/cone/legs.hpp"
-#include "bit/files/cone_keys.hpp"
-#include "bit/files/pdc_keys.hpp"
+#include "bit/files/cone_settings.hpp"
+#include "bit/files/pdc_settings.hpp"
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"
 #include "core/types.hpp"
@@ -22,54 +21,25 @@
 namespace tdbd::bit {
 namespace {
 
-using cone_bit_keys::Interference;
-
-ToothShape read_shape(Config& c, ToothShape t) {
-  t.kind = c.read(tooth_keys::kind, std::optional(t.kind));
-  const auto length = [&](const QuantityKey& key, double& value) { value = c.read(key, value); };
-  length(tooth_keys::diameter, t.diameter);
-  length(tooth_keys::width, t.width);
-  length(tooth_keys::protrusion, t.protrusion);
-  length(tooth_keys::crest_length, t.crest_length);
-  length(tooth_keys::crest_width, t.crest_width);
-  length(tooth_keys::tip_radius, t.tip_radius);
-  length(tooth_keys::embedding, t.embedding);
-  t.half_angle = c.read(tooth_keys::half_angle, t.half_angle);
-  t.density = c.read(tooth_keys::density, t.density);
-  return t;
-}
-
 /// Reads angles from a list, or from a number of teeth and the pattern of the gaps between them.
-std::vector<double> read_angles(Config& c) {
-  if (c.has(tooth_row_keys::angles)) return c.read(tooth_row_keys::angles);
-  const int teeth = static_cast<int>(c.read(tooth_row_keys::teeth));
-  const double first = c.read(tooth_row_keys::first_angle);
-  const std::vector<double> spacing = c.read(tooth_row_keys::spacing, std::vector<double>{});
-  for (const double ratio : spacing)
+std::vector<double> angles_of(Config& c, const ToothRowSettings& s) {
+  if (c.has("angles")) return s.row.angles;
+  for (const double ratio : s.spacing)
     if (!(ratio > 0.0)) {
-      c.problem(tooth_row_keys::spacing, fmt::format("{}", ratio), "ratios above 0");
+      c.problem("spacing", fmt::format("{}", ratio), "ratios above 0");
       return {};
     }
-  return spaced_angles(teeth, first, spacing);
+  return spaced_angles(static_cast<int>(s.teeth), s.first_angle, s.spacing);
 }
 
 ToothRow read_row(Config& c, const ToothShape& usual) {
-  ToothRow row;
-  row.s = c.read(tooth_row_keys::s);
-  row.sink = c.read(tooth_row_keys::sink);
-  row.lean = c.read(tooth_row_keys::lean);
-  row.place = c.read(tooth_row_keys::gage) ? RowPlace::gage : RowPlace::inner;
-  row.angles = read_angles(c);
-  row.shape = read_shape(c, usual);
-  return row;
-}
-
-void read_journal(Config& c, const QuantityKey& angle, ConeLayout& cone) {
-  cone.journal_angle = c.read(angle, cone.journal_angle);
-  cone.offset = c.read(journal_keys::offset, cone.offset);
-  cone.skew = c.read(journal_keys::skew, cone.skew);
-  cone.apex = c.read(journal_keys::apex, cone.apex);
-  cone.foot_height = c.read(journal_keys::foot_height, cone.foot_height);
+  ToothRowSettings s;
+  read_fields(c, s);
+  s.row.angles = angles_of(c, s);
+  ToothSettings tooth{usual};
+  read_fields(c, tooth);
+  s.row.shape = tooth.shape;
+  return s.row;
 }
 
 void note(std::vector<Config>& rows, Config& cone, const ConeFault& fault) {
@@ -80,12 +50,16 @@ void note(std::vector<Config>& rows, Config& cone, const ConeFault& fault) {
 /// Reads one cone. Its geometry is checked if all of it could be read.
 ConeLayout read_cone(Config& c, ConeLayout cone, const ToothShape& usual) {
   const std::size_t before = c.problem_count();
-  cone.azimuth = c.read(bit_cone_keys::azimuth);
-  read_journal(c, bit_cone_keys::journal_angle, cone);
-  cone.density = c.read(bit_cone_keys::density);
-  cone.body = c.read(bit_cone_keys::body_cuts) ? Cutting::cuts : Cutting::never;
-  for (const auto& [s, r] : c.read(bit_cone_keys::shell)) cone.shell.push_back({s, r});
-  std::vector<Config> rows = c.tables(tooth_row_keys::table);
+  ConeSettings s;
+  read_fields(c, s);
+  ConeJournal journal{{cone}};
+  read_fields(c, journal);
+  cone = journal.journal.cone;
+  cone.azimuth = s.azimuth;
+  cone.density = s.density;
+  cone.body = s.body_cuts ? Cutting::cuts : Cutting::never;
+  for (const auto& [place, radius] : s.shell) cone.shell.push_back({place, radius});
+  std::vector<Config> rows = c.tables(ToothRowSettings::table);
   for (Config& row : rows) cone.rows.push_back(read_row(row, usual));
   if (c.problem_count() == before)
     for (const ConeFault& fault : cone_faults(cone)) note(rows, c, fault);
@@ -93,42 +67,22 @@ ConeLayout read_cone(Config& c, ConeLayout cone, const ToothShape& usual) {
 }
 
 ConeLayout read_cone_defaults(Config& file) {
-  ConeLayout cone;
-  Config journal = file.table(journal_keys::table);
-  read_journal(journal, journal_keys::angle, cone);
-  Config mesh = file.table(cone_mesh_keys::table);
-  cone.segments = static_cast<int>(mesh.read(cone_mesh_keys::segments));
-  cone.facets = static_cast<int>(mesh.read(cone_mesh_keys::facets));
+  ConeLayout cone = read_table<JournalSettings>(file).cone;
+  const auto mesh = read_table<ConeMeshSettings>(file);
+  cone.segments = mesh.segments;
+  cone.facets = mesh.facets;
   if (cone.facets % 4 != 0)
-    mesh.problem(cone_mesh_keys::facets, fmt::format("{}", cone.facets), "a multiple of 4");
+    file.table(ConeMeshSettings::table)
+        .problem("facets", fmt::format("{}", cone.facets), "a multiple of 4");
   return cone;
 }
 
-Shank read_shank(Config& c) {
-  Shank shank;
-  shank.radius = c.read(shank_keys::radius);
-  shank.length = c.read(shank_keys::length);
-  shank.height = c.read(shank_keys::height);
-  shank.density = c.read(shank_keys::density);
-  return shank;
-}
-
 /// Heights default to those of the shank.
-Legs read_legs(Config& c, const Shank& shank) {
-  Legs legs;
-  legs.width = c.read(leg_keys::width);
-  legs.under_gage = c.read(leg_keys::under_gage);
-  legs.clearance = c.read(leg_keys::clearance);
-  legs.tip_radius = c.read(leg_keys::tip_radius, legs.tip_radius);
-  legs.shoulder = c.read(leg_keys::shoulder, shank.height);
-  legs.top = c.read(leg_keys::top, shank.height + 0.5 * shank.length);
-  legs.density = c.read(leg_keys::density);
-  legs.cutting = c.read(leg_keys::rubs) ? Cutting::rubs : Cutting::never;
-  legs.inserts = static_cast<int>(c.read(leg_keys::inserts));
-  legs.insert_diameter = c.read(leg_keys::insert_diameter);
-  legs.insert_length = c.read(leg_keys::insert_length);
-  legs.insert_protrusion = c.read(leg_keys::insert_protrusion);
-  return legs;
+Legs read_legs(Config& file, const Shank& shank) {
+  LegSettings s;
+  s.legs.shoulder = shank.height;
+  s.legs.top = shank.height + 0.5 * shank.length;
+  return read_table(file, s).legs;
 }
 
 /// The tables of a bit file on which its legs depend.
@@ -150,7 +104,7 @@ void build_legs(LegTables& tables, const Legs& legs, Interference interference, 
   add_legs(bit, legs);
   if (interference == Interference::refuse)
     for (const LegClearance& c : leg_clearances(bit))
-      if (c.distance < 0.0) tables.legs.problem(leg_keys::clearance, clearance_text(c), "a gap");
+      if (c.distance < 0.0) tables.legs.problem("clearance", clearance_text(c), "a gap");
 }
 
 /// The key of the row of a part "cone-1/row-2/tooth-1" on its cone, or of its shell.
@@ -234,27 +188,29 @@ std::string legs_text(const Legs& l) {
 
 std::vector<std::pair<std::string, ToothKind>> tooth_kinds() {
   std::vector<std::pair<std::string, ToothKind>> kinds;
-  for (const auto& named : tooth_keys::kind.values)
+  for (const auto& named : ToothSettings::kinds)
     if (!named.name.empty()) kinds.emplace_back(std::string(named.name), named.value);
   return kinds;
 }
 
 Bit read_cone_bit(Config& file, const std::string& name) {
-  const double gage =
-      file.read(bit_file_keys::gage_diameter, std::numeric_limits<double>::infinity());
-  const auto interference = file.read(cone_bit_keys::interference);
+  GageDiameter given{std::numeric_limits<double>::infinity()};
+  read_fields(file, given);
+  const double gage = given.gage_diameter;
+  InterferenceSetting setting;
+  read_fields(file, setting);
+  const Interference interference = setting.interference;
   const ConeLayout usual_cone = read_cone_defaults(file);
-  Config teeth = file.table(tooth_keys::table);
-  const ToothShape usual_tooth = read_shape(teeth, {});
-  std::vector<Config> cones = file.tables(bit_cone_keys::table);
+  const ToothShape usual_tooth = read_table<ToothSettings>(file).shape;
+  std::vector<Config> cones = file.tables(ConeSettings::table);
   std::vector<ConeLayout> layouts;
   layouts.reserve(cones.size());
   for (Config& c : cones) layouts.push_back(read_cone(c, usual_cone, usual_tooth));
-  const bool has_legs = file.has(leg_keys::table);
-  LegTables tables{file.table(leg_keys::table), file.table(shank_keys::table), cones};
-  const Shank shank = read_shank(tables.shank);
-  const Legs legs = has_legs ? read_legs(tables.legs, shank) : Legs{};
-  file.finish_before(bit_area_keys::areas);
+  const bool has_legs = file.has(LegSettings::table);
+  const Shank shank = read_table<ShankSettings>(file).shank;
+  const Legs legs = has_legs ? read_legs(file, shank) : Legs{};
+  LegTables tables{file.table(LegSettings::table), file.table(ShankSettings::table), cones};
+  file.finish_before("areas");
   std::optional<double> gage_radius;
   if (gage < std::numeric_limits<double>::infinity()) gage_radius = 0.5 * gage;
   try {

@@ -6,31 +6,29 @@
 #include <map>
 #include <utility>
 
+#include "bit/cone/cone_bit.hpp"
 #include "bit/cone/cone_measures.hpp"
-#include "bit/files/mesh_keys.hpp"
-#include "bit/files/part_keys.hpp"
-#include "bit/files/solid_cones.hpp"
-#include "bit/files/solid_rules.hpp"
-#include "bit/files/unit_question.hpp"
+#include "bit/files/file_checks.hpp"
+#include "bit/files/mesh_settings.hpp"
+#include "core/config/toml_text.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "mesh/files/solids.hpp"
+#include "rotation/screw.hpp"
 
 namespace tdbd::bit {
 namespace {
 
 constexpr const char* solids_wanted = "closed meshes with outward normals (STL, OBJ, PLY or OFF)";
 
-std::vector<mesh::Solid> read_file(Config& c) {
-  const std::string file = c.read(solids_keys::file);
-  const double unit = c.read(solids_keys::unit);
-  if (file.empty()) return {};
+std::vector<mesh::Solid> read_file(Config& c, const SolidSettings& s) {
+  if (s.file.empty()) return {};
   try {
-    std::vector<mesh::Solid> solids = mesh::read_solids(file, unit);
-    report_mesh_faults(c, "file", file, solids, solids_wanted);
+    std::vector<mesh::Solid> solids = mesh::read_solids(s.file, s.unit);
+    report_mesh_faults(c, "file", s.file, solids, solids_wanted);
     return solids;
   } catch (const InputError& e) {
-    c.problem(solids_keys::file, e.what(), solids_wanted);
+    c.problem("file", e.what(), solids_wanted);
     return {};
   }
 }
@@ -100,12 +98,106 @@ void check_parts(Config& file, const std::vector<Part>& parts) {
     file.problem("solids", "no part that cuts", "at least one");
 }
 
+SolidRule read_rule(Config& c) {
+  SolidRuleSettings s;
+  read_fields(c, s);
+  SolidRule rule;
+  rule.match = s.match;
+  rule.name = s.name;
+  if (rule.name && !is_part_name(*rule.name))
+    c.problem("name", '"' + *rule.name + '"', "letters, digits, - and _, with / between");
+  if (s.kind) rule.kind = part_kind_named(*s.kind);
+  rule.cutting = s.cutting;
+  rule.rubs = s.rubs;
+  rule.density = s.density;
+  rule.group = s.group;
+  if (c.has("cutter_position") || c.has("cutter_rotation_vector"))
+    rule.X_BC = {rotation::exp(s.cutter_rotation_vector), s.cutter_position};
+  if (c.has("update_direction")) rule.update_direction_B = read_direction(c, Vec3::UnitZ());
+  return rule;
+}
+
+template <class T>
+void lay_over(std::optional<T>& below, const std::optional<T>& above) {
+  if (above) below = above;
+}
+
 }  // namespace
+
+std::vector<SolidRule> read_rules(Config& solids) {
+  std::vector<SolidRule> rules;
+  std::vector<Config> tables = solids.tables(SolidRuleSettings::table);
+  rules.reserve(tables.size());
+  for (Config& c : tables) rules.push_back(read_rule(c));
+  return rules;
+}
+
+SolidRule rule_for(const std::vector<SolidRule>& rules, const std::string& name) {
+  SolidRule all;
+  all.match = name;
+  for (const SolidRule& rule : rules) {
+    if (!fits(rule.match, name)) continue;
+    lay_over(all.name, rule.name);
+    lay_over(all.kind, rule.kind);
+    lay_over(all.cutting, rule.cutting);
+    lay_over(all.rubs, rule.rubs);
+    lay_over(all.density, rule.density);
+    lay_over(all.group, rule.group);
+    lay_over(all.X_BC, rule.X_BC);
+    lay_over(all.update_direction_B, rule.update_direction_B);
+  }
+  return all;
+}
+
+std::optional<PartKind> kind_of_name(const std::string& name) {
+  const std::pair<const char*, PartKind> known[] = {{"cutter-*/face", PartKind::face},
+                                                    {"cutter-*/chamfer", PartKind::chamfer},
+                                                    {"cutter-*/land", PartKind::chamfer},
+                                                    {"cutter-*/cse", PartKind::cse},
+                                                    {"cutter-*/body", PartKind::cutter_body},
+                                                    {"gage-pad-*", PartKind::gage_pad},
+                                                    {"bit-body", PartKind::bit_body},
+                                                    {"cone-*/row-*/tooth-*", PartKind::tooth},
+                                                    {"cone-*/body", PartKind::cone},
+                                                    {"leg-*/insert-*", PartKind::gage_pad},
+                                                    {"leg-*", PartKind::bit_body}};
+  for (const auto& [pattern, kind] : known)
+    if (fits(pattern, name)) return kind;
+  return {};
+}
+
+std::vector<Cone> read_solid_cones(Config& solids) {
+  std::vector<Cone> cones;
+  for (Config& c : solids.tables(SolidConeSettings::table)) {
+    SolidConeSettings s;
+    read_fields(c, s);
+    Cone& cone = s.cone;
+    cone.X_BK = cone_pose(cone.layout, 0.0);
+    cones.push_back(cone);
+  }
+  return cones;
+}
+
+int cone_of(const std::vector<Cone>& cones, const std::string& part) {
+  const auto at = std::find_if(cones.begin(), cones.end(),
+                               [&](const Cone& cone) { return part.starts_with(cone.name + "/"); });
+  return at == cones.end() ? -1 : static_cast<int>(at - cones.begin());
+}
+
+std::string cone_text_of(const Cone& cone) {
+  const ConeLayout& c = cone.layout;
+  return fmt::format(
+      "\n[[solids.cones]]\nname = {}\nazimuth = {}  # rad\njournal_angle = {}  # rad\noffset = {}  "
+      "# m\nskew = {}  # rad\napex = {}  # m\nfoot_height = {}  # m\nrolling_ratio = {}\n",
+      toml_string(cone.name), c.azimuth, c.journal_angle, c.offset, c.skew, c.apex, c.foot_height,
+      rolling_ratio_of_gage_row(cone));
+}
 
 PartsFromFiles read_solid_parts(Config& file, DirectionRule directions, InsideRule inside,
                                 Densities densities) {
-  Config c = file.table(solids_keys::table);
-  std::vector<mesh::Solid> solids = read_file(c);
+  const auto settings = read_table<SolidSettings>(file);
+  Config c = file.table(SolidSettings::table);
+  std::vector<mesh::Solid> solids = read_file(c, settings);
   const std::vector<SolidRule> rules = read_rules(c);
   require_matches(c, rules, names_of(solids));
   PartsFromFiles read;
@@ -115,8 +207,7 @@ PartsFromFiles read_solid_parts(Config& file, DirectionRule directions, InsideRu
     const SolidRule rule = rule_for(rules, solid.name);
     const auto kind = rule.kind ? rule.kind : kind_of_name(rule.name.value_or(solid.name));
     if (!kind)
-      c.problem(solids_keys::file,
-                fmt::format("a solid \"{}\" whose name does not say its kind", solid.name),
+      c.problem("file", fmt::format("a solid \"{}\" whose name does not say its kind", solid.name),
                 "a name like cutter-1/face, gage-pad-1, bit-body or cone-1/row-1/tooth-1, or a "
                 "rule [[solids.rules]] that fits it and gives its kind");
     Part part = part_of(rule, std::move(solid), kind.value_or(PartKind::bit_body));
@@ -135,7 +226,7 @@ PartsFromFiles read_solid_parts(Config& file, DirectionRule directions, InsideRu
     if (Cone& cone = read.cones[i]; cone.rolling_ratio == 0.0)
       cone.rolling_ratio = rolling_ratio_of_parts(cone, static_cast<int>(i), read.parts);
   check_parts(file, read.parts);
-  if (unit_check_enabled(file)) unit_error(c, "unit", read.parts, c.read(solids_keys::unit));
+  if (unit_check_enabled(file)) unit_error(c, "unit", read.parts, settings.unit);
   if (densities == Densities::required && !read.without_density.empty())
     c.problem("rules", "no density of " + listed(read.without_density), expected_density);
   return read;

@@ -59,10 +59,10 @@ double wear_rate(const WearLaw& law, const WearContact& contact);
 /// slides past, and the cutter, a thermal resistance. The formula is from memory of Glowka and
 /// Stone.
 struct FlatHeating {
-  double friction = 0.0;              ///< mu, 1
-  double rock_conductivity = 0.0;     ///< W/(m K), above 0
-  double rock_diffusivity = 0.0;      ///< m2/s
-  double cutter_resistance = 0.0;     ///< K m2/W, from the flat to the drilling fluid
+  double friction = 0.15;             ///< mu, 1
+  double rock_conductivity = 3.5;     ///< W/(m K), above 0
+  double rock_diffusivity = 1.5e-6;   ///< m2/s
+  double cutter_resistance = 0.3e-4;  ///< K m2/W, from the flat to the drilling fluid
   double fluid_temperature = 293.15;  ///< K
 };
 

@@ -11,8 +11,6 @@
 namespace tdbd::calibration {
 namespace {
 
-using namespace calibration_keys;
-
 bool holds(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
@@ -99,15 +97,15 @@ void check_torque(const CalibrationCase& c, const std::vector<Record>& rows,
 }  // namespace
 
 void check_names(Config& top, const CalibrationCase& c) {
-  check_list(top, fit_bits, c.fit, c);
-  check_list(top, predict_bits, c.predict, c);
+  check_list(top, "fit_bits", c.fit, c);
+  check_list(top, "predict_bits", c.predict, c);
   if (c.fit.empty() && !c.unknowns.empty())
-    top.problem(fit_bits, "none", "at least one bit or cutter: there are unknowns");
+    top.problem("fit_bits", "none", "at least one bit or cutter: there are unknowns");
   if (c.fit.empty() && c.predict.empty())
-    top.problem(predict_bits, "none", "bits or cutters to fit or to predict");
+    top.problem("predict_bits", "none", "bits or cutters to fit or to predict");
   for (const std::string& name : c.predict)
     if (holds(c.fit, name))
-      top.problem(predict_bits, fmt::format("'{}', which is fitted", name),
+      top.problem("predict_bits", fmt::format("'{}', which is fitted", name),
                   "bits that the fit does not see");
 }
 
@@ -117,7 +115,7 @@ void choose_records(Config& top, const std::vector<std::string>& left_out, Calib
     if (!holds(tests, r.test)) tests.push_back(r.test);
   for (const std::string& test : left_out)
     if (!holds(tests, test))
-      top.problem(leave_out, fmt::format("'{}', a test without records", test),
+      top.problem("leave_out", fmt::format("'{}', a test without records", test),
                   or_nearest(test, tests));
   std::vector<Record> kept;
   for (const Record& r : c.records.rows)
@@ -128,7 +126,7 @@ void choose_records(Config& top, const std::vector<std::string>& left_out, Calib
                 [&](const Tool& t) { return !holds(c.fit, t.name) && !holds(c.predict, t.name); });
   for (const Tool& t : c.tools)
     if (t.kind != c.records.kind && !c.records.rows.empty())
-      top.problem(calibration_keys::records, fmt::format("tests of another kind than '{}'", t.name),
+      top.problem("records", fmt::format("tests of another kind than '{}'", t.name),
                   "a column bit for bits, a column cutter for cutters");
   for (const Record& r : kept) {
     if (c.rock.materials.contains(r.rock)) continue;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/types.hpp"
-#include "simulation/case/case_forces.hpp"
+#include "simulation/case/force_settings.hpp"
 
 namespace tdbd::calibration {
 namespace {

@@ -7,35 +7,89 @@
 #include <map>
 #include <numbers>
 
-#include "calibration/case/read_setup.hpp"
 #include "calibration/fit/problem.hpp"
-#include "calibration/laboratory/laboratory_keys.hpp"
 #include "calibration/predict/prediction.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "io/whole_file.hpp"
-#include "simulation/case/force_keys.hpp"
+#include "simulation/case/force_settings.hpp"
 
 namespace tdbd::calibration {
 namespace {
 
-using namespace laboratory_keys;
+/// [laboratory]: tests that a synthetic laboratory makes.
+struct LaboratorySettings {
+  std::string law;
+  std::vector<std::string> bits;  ///< by default all
+  std::vector<double> pressures, rates;
+  double rotary_speed = 0.0;
+  std::uint64_t seed = 1;
+
+  static constexpr TableKey table{"laboratory", "tests that a synthetic laboratory makes"};
+  void visit(FieldVisitor& v) {
+    visit_law(v);
+    v(bits, {.name = "bits", .usual = "all of [bits]", .meaning = "the bits that are tested"});
+    v(pressures, {.name = "pressures",
+                  .unit = "Pa",
+                  .need = Need::required,
+                  .meaning = "of the bottom hole; one test for each bit and one"});
+    v(rates, {.name = "rates",
+              .unit = "m/s",
+              .need = Need::required,
+              .meaning = "of penetration, one reading each in every test"});
+    v(rotary_speed, {.name = "rotary_speed",
+                     .unit = "rad/s",
+                     .need = Need::required,
+                     .range = Range::positive(),
+                     .meaning = "of all tests"});
+    v(seed, {.name = "seed", .meaning = "of the noise"});
+  }
+  void visit_law(FieldVisitor& v) {
+    v.name(law, {.name = "law",
+                 .names = &forces::law_names,
+                 .need = Need::required,
+                 .meaning = "the true force law; its coefficients are in [truth]"});
+  }
+};
+
+/// `tdbd keys` lists what a table [truth] may have.
+struct AnyTruth {
+  static constexpr TableKey table{"truth", "KEY = value: the true coefficients"};
+  void visit(FieldVisitor& v) {
+    v.any({.name = "KEY",
+           .kind = "that of the coefficient",
+           .usual = "the coefficient's",
+           .meaning = "a coefficient of the law, as in [forces]"});
+  }
+};
+struct AnyAreaTruth {
+  static constexpr TableKey table{"areas.NAME.truth",
+                                  "KEY = value: the true coefficients of the area"};
+  void visit(FieldVisitor& v) {
+    v.any({.name = "KEY",
+           .kind = "that of the coefficient",
+           .usual = "that of the parts in no area",
+           .meaning = "a coefficient of the law, as in [forces]"});
+  }
+};
+
+static constexpr TableKey truth_areas_table{
+    "areas.NAME",
+    "parts of the bits that meet all criteria and have true coefficients of their own"};
 
 forces::Law read_truth(Config& c, const std::string& name) {
   forces::Law law = forces::law_named(name);
-  Config given = c.table(truth);
+  Config given = c.table(AnyTruth::table);
   for (const forces::LawField& f : forces::law_fields(law))
-    *f.value = given.read(simulation::force_keys::key_of(f), f.fallback);
+    *f.value = given.read(simulation::key_of(f), f.fallback);
   return law;
 }
 
-std::vector<double> read_list(Config& top, const ListKey& key, Range range) {
-  const std::vector<double> values = top.read(key);
+void check_list(Config& top, const char* key, const std::vector<double>& values, Range range) {
   if (values.empty()) top.problem(key, "none", "at least one");
   for (const double v : values)
     if (!range.contains(v))
       top.problem(key, fmt::format("{:.6g}", v), fmt::format("values{}", range.text()));
-  return values;
 }
 
 /// One test per bit and pressure, one reading per rate.
@@ -69,31 +123,43 @@ void require_known(Config& top, const std::vector<std::string>& chosen,
                    const std::vector<std::string>& known) {
   for (const std::string& name : chosen)
     if (std::ranges::find(known, name) == known.end())
-      top.problem(laboratory_keys::bits, fmt::format("'{}'", name),
+      top.problem("bits", fmt::format("'{}'", name),
                   fmt::format("one of {}", fmt::join(known, ", ")));
 }
 
 }  // namespace
+
+std::vector<KeyTable> laboratory_tables() {
+  const std::string command = "laboratory";
+  return {table_of<LaboratorySettings>(command, LaboratorySettings::table),
+          table_of<AnyTruth>(command, AnyTruth::table),
+          table_of<bit::CutterAreaSelector>(command, truth_areas_table),
+          table_of<AnyAreaTruth>(command, AnyAreaTruth::table)};
+}
 
 LaboratoryCase read_laboratory(const std::string& path, const std::vector<std::string>& overrides) {
   Config c = Config::read_file(path, overrides);
   LaboratoryCase result;
   CalibrationCase& setup = result.setup;
   setup.path = path;
-  Config top = c.table(table);
-  setup.law = read_truth(c, top.read(law));
+  Config top = c.table(LaboratorySettings::table);
+  LaboratorySettings settings;
+  FieldReader reader(top);
+  settings.visit_law(reader);
+  setup.law = read_truth(c, settings.law);
   setup.tools = read_tools(c);
   setup.areas = read_area_laws(c, setup.law, setup.tools, AreaValues::truth, setup.unknowns);
   setup.rock = read_test_rock(c);
   setup.grid = read_grid(c);
-  setup.noise = read_noise(c.table(calibration_keys::noise));
-  const auto known = names_of(setup.tools);
-  setup.fit = top.read(laboratory_keys::bits, known);
+  setup.noise = read_table<Noise>(c);
+  const auto known = settings.bits = names_of(setup.tools);
+  settings.visit(reader);
+  setup.fit = settings.bits;
   require_known(top, setup.fit, known);
-  const auto all_pressures = read_list(top, pressures, Range::non_negative());
-  const auto all_rates = read_list(top, rates, Range::positive());
-  setup.records.rows = plan(setup.fit, all_pressures, all_rates, top.read(rotary_speed));
-  result.seed = static_cast<std::uint64_t>(top.read(seed));
+  check_list(top, "pressures", settings.pressures, Range::non_negative());
+  check_list(top, "rates", settings.rates, Range::positive());
+  setup.records.rows = plan(setup.fit, settings.pressures, settings.rates, settings.rotary_speed);
+  result.seed = settings.seed;
   c.finish();
   result.setup.files = c.files();
   return result;

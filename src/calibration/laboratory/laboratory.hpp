@@ -19,6 +19,9 @@ struct LaboratoryCase {
   std::uint64_t seed = 1;
 };
 
+/// The tables of a synthetic laboratory that are not tables of a calibration, for `tdbd keys`.
+std::vector<KeyTable> laboratory_tables();
+
 /// Reads [laboratory], [truth], [bits], [rock], [time] and [noise]. Throws InputError.
 LaboratoryCase read_laboratory(const std::string& path, const std::vector<std::string>& overrides);
 

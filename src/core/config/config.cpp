@@ -20,7 +20,7 @@ std::string message(const ConfigDocument& document, const ConfigProblem& p) {
                      p.expected);
 }
 
-/// A zero byte is the end of a message, to those who show it.
+/// Messages are shown as C strings, which end at a zero byte.
 std::string shown(const std::string& text) {
   std::string all;
   for (const char c : text)
@@ -31,7 +31,7 @@ std::string shown(const std::string& text) {
   return all;
 }
 
-/// Throws one line for each problem, sorted; mistakes of other files follow.
+/// Throws with one line for each problem, sorted. Mistakes of other files follow.
 void throw_if_any(const ConfigDocument& document, std::vector<ConfigProblem> problems) {
   if (problems.empty() && document.other_mistakes.empty()) return;
   std::sort(problems.begin(), problems.end());
@@ -68,7 +68,7 @@ std::vector<std::string> Config::given() const {
   std::vector<std::string> names;
   if (node == nullptr || !node->is_table()) return names;
   for (const auto& [name, value] : *node->as_table()) names.emplace_back(name.str());
-  return names;  // sorted, as the table is
+  return names;  // sorted, like the table
 }
 
 std::string Config::full(std::string_view key) const {
@@ -148,11 +148,11 @@ void Config::finish() const {
   throw_if_any(*document_, std::move(problems));
 }
 
-void Config::finish_before(const TableKey& later) const {
+void Config::finish_before(const std::string& later) const {
   std::vector<ConfigProblem> problems = document_->problems;
-  const std::string inside = std::string(later.name) + ".";
+  const std::string inside = later + ".";
   for (const ConfigProblem& p : unknown_keys(*document_))
-    if (p.key != later.name && !p.key.starts_with(inside)) problems.push_back(p);
+    if (p.key != later && !p.key.starts_with(inside)) problems.push_back(p);
   throw_if_any(*document_, std::move(problems));
 }
 

@@ -23,19 +23,20 @@ void insert_value(toml::table& table, const std::string& name, const std::string
       table.insert_or_assign(name, std::move(*parsed.get("v")));
       return;
     }
-  } catch (const toml::parse_error&) {  // not TOML: the text itself is meant
+  } catch (const toml::parse_error&) {  // not TOML: a bare string
   }
   table.insert_or_assign(name, text);
 }
 
-/// What a key stands in: "a.b[2]" in "a.b", that in "a", that in the file (""). Always shorter: a name
-/// may end with a bracket that none opens.
+/// The key that contains a key: "a.b" for "a.b[2]", "a" for "a.b", the file ("") for "a". Always
+/// shorter, because a name may end with a bracket without an opening one.
 std::string enclosing_key(const std::string& key) {
   const std::size_t open = key.back() == ']' ? key.rfind('[') : std::string::npos;
   return open == std::string::npos ? parent_key(key) : key.substr(0, open);
 }
 
-/// The table of a dotted key, made on the way down where it is missing; null where a value is.
+/// Returns the table of a dotted key, and creates the missing ones on the way. Null if one of them
+/// is a value.
 toml::table* table_at(toml::table& root, const std::string& key) {
   if (key.empty()) return &root;
   if (toml::node* node = toml::at_path(root, key).node()) return node->as_table();
@@ -44,7 +45,7 @@ toml::table* table_at(toml::table& root, const std::string& key) {
   return parent->insert_or_assign(last_key(key), toml::table{}).first->second.as_table();
 }
 
-/// What the program knows right under a table: names of values and of tables.
+/// The names of the values and tables directly in a table that the program knows.
 std::vector<std::string> known_names(const ConfigDocument& document, const std::string& table) {
   const std::string start = table.empty() ? "" : table + ".";
   std::set<std::string> names;
@@ -57,8 +58,8 @@ std::vector<std::string> known_names(const ConfigDocument& document, const std::
   return {names.begin(), names.end()};
 }
 
-/// "one of a, b" of the innermost known table around a key; where that is not the key's own, with
-/// what it stands in place of.
+/// Returns "one of a, b" for the innermost known table around a key. If the key is not directly in
+/// that table, also the name that these replace.
 std::string known_around(const ConfigDocument& document, const std::string& key) {
   std::string place = key;
   while (place.find_first_of(".[") != std::string::npos &&
@@ -70,13 +71,14 @@ std::string known_around(const ConfigDocument& document, const std::string& key)
                       : fmt::format("one of {} in place of {}", joined(names), last_key(place));
 }
 
-/// A reader of a thousand mistakes needs no advice for each of them, and advice takes time.
+/// Suggestions take time, and are not useful for more than so many mistakes.
 constexpr std::size_t most_suggestions = 1000;
 
-/// What an unknown key may have meant: a like name in its table, a like key elsewhere, or any of
-/// its table's names. `told` unknown keys went before it.
-std::string suggestion(const ConfigDocument& document, const std::string& key, std::size_t told) {
-  if (told >= most_suggestions) return "a known one";
+/// Suggests what an unknown key may mean: a similar name in its table, a similar key elsewhere, or
+/// all names of its table. `earlier`: number of unknown keys before it.
+std::string suggestion(const ConfigDocument& document, const std::string& key,
+                       std::size_t earlier) {
+  if (earlier >= most_suggestions) return "a known one";
   const std::vector<std::string> siblings = known_names(document, parent_key(key));
   if (const auto name = nearest_name(last_key(key), siblings)) return *name;
   std::vector<std::string> everywhere;
@@ -85,27 +87,29 @@ std::string suggestion(const ConfigDocument& document, const std::string& key, s
   return known_around(document, key);
 }
 
-/// A table is known when it, or any key in it, was asked for.
+/// A table is known if it, or any key in it, was read.
 bool is_known_table(const ConfigDocument& document, const std::string& key) {
   const auto inside = document.values.lower_bound(key + ".");
   return document.tables.count(key) != 0 ||
          (inside != document.values.end() && inside->first.rfind(key + ".", 0) == 0);
 }
 
-/// A value of a wrong kind was told already: what stands in it needs no words of its own.
+/// Whether a value already has a problem, for example a wrong type. Its contents are then not
+/// reported.
 bool has_problem(const ConfigDocument& document, const std::string& key) {
   return std::any_of(document.problems.begin(), document.problems.end(),
                      [&key](const ConfigProblem& p) { return p.key == key; });
 }
 
-/// Depth first: a leaf that nobody read is unknown; so is an empty table that nobody asked for.
+/// Searches depth first. A value that was not read is unknown, and so is an empty table that was
+/// not read.
 void collect_unknown(const ConfigDocument& document, const toml::node& node, const std::string& key,
                      std::vector<ConfigProblem>& unknown) {
   const toml::table* table = node.as_table();
   const toml::array* array = node.as_array();
   const bool is_tables =
       array != nullptr && !array->empty() && array->is_homogeneous<toml::table>();
-  const bool is_reachable = document.find(key) == &node;  // not so when a name has a dot in it
+  const bool is_reachable = document.find(key) == &node;  // false if a name contains a dot
   if (is_reachable && (document.values.count(key) != 0 || has_problem(document, key))) return;
   if (table != nullptr && !table->empty()) {
     for (const auto& [name, child] : *table) {
@@ -122,7 +126,7 @@ void collect_unknown(const ConfigDocument& document, const toml::node& node, con
   }
 }
 
-/// The shortest digits that read back to the bit, told from a whole number.
+/// The shortest digits that read back to the same number, with a decimal point or exponent.
 std::string decimal(double x) {
   const std::string text = fmt::format("{}", x);
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
@@ -160,14 +164,15 @@ void ConfigDocument::add_problem(const std::string& key, const std::string& foun
 
 namespace {
 
-/// The parser makes a table of every name of a dotted key, and whoever walks through a document goes as deep.
+/// The parser creates a table for every name of a dotted key, and functions that traverse a
+/// document recurse as deep.
 constexpr int most_names = 32, most_tables = 256;
 
 [[noreturn]] void refuse_deep(const std::string& path, long line, const char* found, int most) {
   throw InputError(fmt::format("{}:{}: found {}, expected at most {}", path, line, found, most));
 }
 
-/// Throws InputError at the first key of too many names.
+/// Throws InputError at the first key with too many names.
 void demand_short_keys(const std::string& text, const std::string& path) {
   int names = 1;
   long line = 1;
@@ -196,7 +201,7 @@ void demand_short_keys(const std::string& text, const std::string& path) {
   }
 }
 
-/// Throws InputError at the first value in too many tables and arrays.
+/// Throws InputError at the first value that is nested too deeply in tables and arrays.
 void demand_shallow(const toml::node& node, const std::string& path, int depth) {
   if (depth > most_tables)
     refuse_deep(path, static_cast<long>(node.source().begin.line), "a value in more tables",
@@ -207,7 +212,7 @@ void demand_shallow(const toml::node& node, const std::string& path, int depth) 
     for (const toml::node& child : *array) demand_shallow(child, path, depth + 1);
 }
 
-/// Whether a name is missing in a dotted key: at its start, its end, or between two dots.
+/// Whether a dotted key lacks a name: at its start, at its end, or between two dots.
 bool has_empty_name(const std::string& key) {
   return key.empty() || key.front() == '.' || key.back() == '.' ||
          key.find("..") != std::string::npos;

@@ -12,10 +12,10 @@
 namespace tdbd {
 namespace {
 
-/// One step of a dotted key: a name, and the place in an array of tables (-1: a plain table).
+/// One step of a dotted key: a name, and the index in an array of tables (-1: a plain table).
 using Step = std::pair<std::string, long>;
 
-/// "layers[2].grading" is {layers, 2}, {grading, -1}.
+/// Splits a key: "layers[2].grading" into {layers, 2}, {grading, -1}.
 std::vector<Step> steps(const std::string& key) {
   if (key.empty()) return {};
   std::vector<Step> path = steps(parent_key(key));
@@ -26,7 +26,7 @@ std::vector<Step> steps(const std::string& key) {
   return path;
 }
 
-/// "[[layers]]" or "[layers.grading]"; nothing for the top of the file.
+/// Returns "[[layers]]" or "[layers.grading]"; empty for the top of the file.
 std::string header(const std::vector<Step>& path) {
   if (path.empty()) return "";
   std::string dotted;

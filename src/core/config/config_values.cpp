@@ -17,10 +17,10 @@
 namespace tdbd {
 namespace {
 
-/// The shortest digits that read back to the bit.
+/// The shortest digits that read back to the same number.
 std::string number_text(double x) { return std::isfinite(x) ? fmt::format("{}", x) : ""; }
 
-/// "[a, b, c]" of texts; empty if one of them is.
+/// Returns "[a, b, c]"; empty if one of the texts is empty.
 std::string bracketed(const std::vector<std::string>& texts) {
   std::string all;
   for (const std::string& text : texts) {
@@ -50,7 +50,7 @@ std::string matrix_text(const Mat3& m) {
                      toml_vector(m.row(2)));
 }
 
-/// A number in SI, or a text with a unit. Throws UnitError.
+/// Converts a number in SI, or a text with a unit. Throws UnitError.
 double read_quantity(const toml::node& node, const std::string& si_unit) {
   if (const auto text = node.as_string()) return to_si(text->get(), si_unit);
   std::optional<double> x;
@@ -63,7 +63,7 @@ double read_quantity(const toml::node& node, const std::string& si_unit) {
   return *x;
 }
 
-/// An array of three quantities. Throws UnitError.
+/// Converts an array of three quantities. Throws UnitError.
 Vec3 read_three(const toml::node& node, const std::string& si_unit, const std::string& expected) {
   const toml::array* array = node.as_array();
   if (array == nullptr || array->size() != 3) throw UnitError(describe(&node), expected);
@@ -71,18 +71,18 @@ Vec3 read_three(const toml::node& node, const std::string& si_unit, const std::s
           read_quantity((*array)[2], si_unit)};
 }
 
-/// How one kind of value is read.
+/// Describes how values of one type are read.
 template <class T>
 struct Kind {
   std::string expected;                          ///< in words
   std::string unit;                              ///< for the resolved file; may be empty
-  T harmless;                                    ///< returned when there is nothing better
+  T harmless;                                    ///< returned if the value is wrong or missing
   std::function<T(const toml::node&)> convert;   ///< throws UnitError
-  std::function<std::string(const T&)> to_toml;  ///< empty: TOML cannot say it
+  std::function<std::string(const T&)> to_toml;  ///< empty: not expressible in TOML
 };
 
-/// What every read has in common: find the key, convert its value, note the problem if that fails,
-/// and keep what was read for the resolved file.
+/// The common part of all reads: finds the key, converts its value, records a problem if that
+/// fails, and stores the value for the resolved file.
 template <class T>
 T read_value(ConfigDocument& document, const std::string& key, const std::optional<T>& fallback,
              const Kind<T>& kind) {
@@ -93,23 +93,23 @@ T read_value(ConfigDocument& document, const std::string& key, const std::option
     } catch (const UnitError& error) {
       document.add_problem(key, error.found, error.expected);
     }
-  } else if (!fallback && document.renamed.count(key) == 0) {
+  } else if (!fallback) {
     document.add_problem(key, "nothing", kind.expected + " (the key is required)");
   }
   document.values.try_emplace(key, ResolvedValue{kind.to_toml(value), kind.unit, ""});
   return value;
 }
 
-/// What a bare number out of the range may have meant: a thousandth of the unit.
+/// Suggests a unit for a bare number outside the range: a thousandth of the key's unit.
 std::string unit_question(const toml::node& node, double x, const std::string& si_unit,
                           const Range& range) {
   constexpr double milli = 1e-3;
   const bool has_milli = si_unit == "m" || si_unit == "s";
   if (node.is_string() || !has_milli || !range.contains(milli * x)) return "";
-  return fmt::format("; without a unit it counts in {0}: is \"{1} m{0}\" meant?", si_unit, x);
+  return fmt::format("; without a unit it is in {0}: did you mean \"{1} m{0}\"?", si_unit, x);
 }
 
-/// A number of the range, so that a caller may go on until finish() reports the problem.
+/// A number in the range, with which a caller can continue until finish() reports the problem.
 double harmless_number(const Range& range) {
   for (const double x : {1.0, range.lo, range.hi})
     if (std::isfinite(x) && range.contains(x)) return x;

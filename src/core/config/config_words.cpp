@@ -10,14 +10,14 @@ namespace {
 
 constexpr const char* a_word = "a text, a number, or true or false";
 
-/// Nothing of a table or an array.
+/// Returns nothing for a table or an array.
 std::optional<ConfigWord> word_of(const toml::node& node) {
   if (!node.is_string() && !node.is_number() && !node.is_boolean()) return std::nullopt;
   const auto text = node.as_string();
   return ConfigWord{text != nullptr ? text->get() : describe(&node), describe(&node)};
 }
 
-/// A value of any kind as one line of TOML.
+/// Formats a value of any type as one line of TOML.
 std::string one_line(const toml::node& node) {
   std::ostringstream out;
   if (const toml::array* array = node.as_array()) {

@@ -10,18 +10,18 @@
 
 namespace tdbd {
 
-/// One line of a comma-separated file: its cells as text, without the blanks around them. No
-/// quoting: no cell holds a comma.
+/// One line of a comma-separated file: its cells as text, without surrounding blanks. Quoting is
+/// not supported, so cells cannot contain commas.
 struct CsvRow {
   long line = 0;  ///< counted from 1
   std::vector<std::string> cells;
 };
 
-/// The rows of a file. Lines that are empty or start with '#' are left out; a byte-order mark and
-/// CRLF are tolerated. Throws InputError when the file cannot be read.
+/// Reads the rows of a file. Empty lines and lines that start with '#' are skipped; a byte-order
+/// mark and CRLF are accepted. Throws InputError if the file cannot be read.
 std::vector<CsvRow> read_csv_rows(const std::string& path);
 
-/// The finite number that fills a whole cell; nothing otherwise.
+/// Returns the finite number that fills the whole cell; otherwise nothing.
 template <typename Number>
 std::optional<Number> csv_number(const std::string& cell) {
   Number value{};
@@ -38,22 +38,23 @@ struct CsvMistakes {
   std::vector<std::string> lines = {};  ///< "FILE:LINE: COLUMN: found F, expected E"
 
   void add(long line, std::string_view column, std::string_view found, std::string_view expected);
-  void throw_if_any() const;  ///< InputError that lists them all, a line each
+  void throw_if_any() const;  ///< throws InputError with one line for each
 };
 
-/// A table of numbers with named columns. Every row has as many values as the header has names.
+/// A table of numbers with named columns. All rows have as many values as there are columns.
 struct CsvTable {
   std::string file;                       ///< as given, for messages
   std::vector<std::string> header;        ///< names of the columns, all different
   std::vector<std::vector<double>> rows;  ///< finite numbers
-  std::vector<long> lines;                ///< line of the file that each row stands on
+  std::vector<long> lines;                ///< line of the file of each row
 };
 
-/// Reads a file of comma-separated numbers under a header line. Throws InputError that lists all
+/// Reads a file of comma-separated numbers with a header line. Throws InputError that lists all
 /// mistakes (CsvMistakes).
 CsvTable read_csv(const std::string& path);
 
-/// Place of the column with this name. Throws InputError that names the nearest one.
+/// Returns the index of the column with this name. Throws InputError that suggests the nearest
+/// name.
 std::size_t csv_column(const CsvTable& table, std::string_view name);
 
 }  // namespace tdbd

@@ -21,7 +21,7 @@ std::string lower(std::string_view text) {
   return s;
 }
 
-/// "hook load [kN]" or "hook load (kN)"; without brackets there is no unit.
+/// Splits "hook load [kN]" or "hook load (kN)"; without brackets there is no unit.
 struct NamedUnit {
   std::string name, unit;
 };
@@ -66,7 +66,7 @@ FieldTable read_csv_table(const std::string& path) {
   return t;
 }
 
-/// A line of a section other than ~A: "MNEM.UNIT   VALUE : DESCRIPTION".
+/// Splits a line of a section other than ~A: "MNEM.UNIT   VALUE : DESCRIPTION".
 struct LasLine {
   std::string name, unit, value;
 };
@@ -122,8 +122,8 @@ FieldTable read_las(const std::string& path) {
   return t;
 }
 
-/// What one of a unit is in SI; names in capitals, as in LAS files, are tried in small letters too. In
-/// these kn is a knot, where it is not a force.
+/// Returns the value of one unit in SI. Names in capitals, as in LAS files, are also tried in lower
+/// case; then kn is a knot unless a force is expected.
 std::optional<double> factor_of(const std::string& unit, const std::string& si_unit) {
   const std::string small = lower(unit);
   for (const std::string& each : {unit, small, std::string(small == "kn" ? "kN" : small)}) {

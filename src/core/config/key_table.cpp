@@ -17,7 +17,7 @@ std::string with_unit(const std::string& number, std::string_view unit) {
   return unit == "1" ? number : fmt::format("{} {}", number, unit);
 }
 
-/// What stands in place of a fixed fallback.
+/// The default of a key without a fixed fallback, in words.
 std::string other_fallback(std::string_view usual) {
   return usual.empty() ? "required" : std::string(usual);
 }
@@ -39,7 +39,7 @@ KeyRow array_row(std::string_view name, const std::string& kind, std::string_vie
   return {std::string(name), kind, other_fallback(usual), "", std::string(meaning)};
 }
 
-/// The row with a fixed fallback, as it stands in a file.
+/// The row of a key with a fixed fallback, formatted as in a file.
 KeyRow with_fallback(KeyRow row, const std::string& toml) {
   row.fallback = row.toml = toml;
   return row;
@@ -129,6 +129,67 @@ KeyTable key_table(const std::string& command, const TableKey& key, std::vector<
   return {command, std::string(key.name), std::string(key.meaning), key.repeats, std::move(rows)};
 }
 
+namespace {
+
+/// Whether the initial value of the field is its default.
+template <class Key>
+bool shows_value(const Key& key) {
+  return key.need != Need::required && key.usual.empty();
+}
+
+/// Returns the row of a key. If `fallback` is its default, the row shows it.
+template <class Key, class Value>
+KeyRow row_with(Key key, const Value& fallback) {
+  if (shows_value(key)) key.fallback = fallback;
+  return row(key);
+}
+
+}  // namespace
+
+void FieldLister::operator()(double& x, const QuantityKey& key) {
+  rows.push_back(row_with(key, x));
+}
+
+void FieldLister::operator()(Vec3& x, const VectorKey& key) {
+  rows.push_back(row_with(key, std::array{x.x(), x.y(), x.z()}));
+}
+
+void FieldLister::operator()(std::vector<double>&, const ListKey& key) { rows.push_back(row(key)); }
+
+void FieldLister::operator()(std::vector<std::pair<double, double>>&, const PairsKey& key) {
+  rows.push_back(row(key));
+}
+
+void FieldLister::operator()(Mat3&, const MatrixKey& key) { rows.push_back(row(key)); }
+
+void FieldLister::operator()(std::vector<std::string>&, const TextsKey& key) {
+  rows.push_back(row(key));
+}
+
+void FieldLister::operator()(long& x, const IntegerKey& key) { rows.push_back(row_with(key, x)); }
+
+void FieldLister::operator()(bool& x, const FlagKey& key) { rows.push_back(row_with(key, x)); }
+
+void FieldLister::operator()(std::string& x, const TextKey& key) {
+  rows.push_back(row_with(key, std::string_view(x)));
+}
+
+void FieldLister::operator()(ConfigWord&, const WordKey& key) { rows.push_back(row(key)); }
+
+void FieldLister::operator()(std::vector<ConfigWord>&, const WordsKey& key) {
+  rows.push_back(row(key));
+}
+
+void FieldLister::path(std::string&, const PathKey& key) { rows.push_back(row(key)); }
+
+void FieldLister::name(std::string&, const NameKey& key) { rows.push_back(row(key)); }
+
+std::optional<std::size_t> FieldLister::choose(const NamedChoice& c) {
+  const std::string_view value = shows_value(c) && c.index ? c.names[*c.index] : "";
+  rows.push_back(choice_row(c.name, c.names, value, c.usual, c.meaning));
+  return std::nullopt;
+}
+
 std::string header_of(const KeyTable& table) {
   if (table.name.empty()) return "top of the file";
   return table.repeats == Repeats::yes ? fmt::format("[[{}]]", table.name)
@@ -172,7 +233,7 @@ std::vector<KeyTable> tables_named(std::span<const KeyTable> tables, const std::
   std::vector<KeyTable> found;
   std::vector<std::string> names;
   for (const KeyTable& table : tables) {
-    if (!table.name.empty()) names.push_back(table.name);  // the top of a file has none
+    if (!table.name.empty()) names.push_back(table.name);  // the top of a file has no name
     if (table.name == name || table.name.starts_with(name + ".")) found.push_back(table);
   }
   if (!found.empty()) return found;

@@ -4,30 +4,31 @@
 #include <string>
 #include <vector>
 
+#include "core/config/fields.hpp"
 #include "core/config/key.hpp"
 
 namespace tdbd {
 
-/// A declared key in words, whatever its type.
+/// The description of a declared key of any type.
 struct KeyRow {
   std::string name;
   std::string kind;      ///< "m", "three rad/s", "whole number", "one of", ...
   std::string fallback;  ///< as in a file ("0.03 m"), in words ("one turn of the bit"), "required"
-  std::string allowed;   ///< "> 0", "steady, whirl, ..."; empty: anything of its kind
+  std::string allowed;   ///< "> 0", "steady, whirl, ..."; empty: any value of the kind
   std::string meaning;
-  std::string toml = {};  ///< a fixed fallback as the resolved file writes it; empty: there is none
+  std::string toml = {};  ///< a fixed fallback as written to the resolved file; empty: none
 };
 
 /// A table with its keys, for `tdbd keys` and KEYS.md.
 struct KeyTable {
   std::string command;  ///< that reads it: "run", "rotate"
-  std::string name;     ///< dotted, from the top of the file; empty: the top itself
+  std::string name;     ///< dotted, from the top of the file; empty: the top of the file
   std::string meaning;
   Repeats repeats = Repeats::no;
   std::vector<KeyRow> rows;
 };
 
-/// The table with its rows.
+/// Makes a table with these rows.
 KeyTable key_table(const std::string& command, const TableKey& key, std::vector<KeyRow> rows);
 
 KeyRow row(const QuantityKey& key);
@@ -45,7 +46,7 @@ KeyRow row(const WordKey& key);
 KeyRow row(const WordsKey& key);
 KeyRow row(const AnyKey& key);
 
-/// A choice with its names; `fallback` is the name of the fallback, or empty.
+/// Makes the row of a choice. `fallback`: the name of the fallback, or empty.
 KeyRow choice_row(std::string_view name, const std::vector<std::string_view>& names,
                   std::string_view fallback, std::string_view usual, std::string_view meaning);
 
@@ -61,23 +62,67 @@ KeyRow row(const ChoiceKey<E>& key) {
   return choice_row(key.name, names, fallback, key.usual, key.meaning);
 }
 
-/// The rows of keys of any types.
+/// Makes the rows of keys of any types.
 template <class... Keys>
 std::vector<KeyRow> rows(const Keys&... keys) {
   return {row(keys)...};
 }
 
-/// "[motion.whirl]", "[[rock.layers]]", "top of the file".
+/// Lists the fields of a settings struct. Their initial values are the defaults.
+class FieldLister final : public FieldVisitor {
+ public:
+  std::vector<KeyRow> rows;
+
+  using FieldVisitor::operator();
+  void operator()(double& x, const QuantityKey& key) override;
+  void operator()(Vec3& x, const VectorKey& key) override;
+  void operator()(std::vector<double>& x, const ListKey& key) override;
+  void operator()(std::vector<std::pair<double, double>>& x, const PairsKey& key) override;
+  void operator()(Mat3& x, const MatrixKey& key) override;
+  void operator()(std::vector<std::string>& x, const TextsKey& key) override;
+  void operator()(long& x, const IntegerKey& key) override;
+  void operator()(bool& x, const FlagKey& key) override;
+  void operator()(std::string& x, const TextKey& key) override;
+  void operator()(ConfigWord& x, const WordKey& key) override;
+  void operator()(std::vector<ConfigWord>& x, const WordsKey& key) override;
+  void path(std::string& x, const PathKey& key) override;
+  void name(std::string& x, const NameKey& key) override;
+  void any(const AnyKey& key) override { rows.push_back(row(key)); }
+  void any(const QuantityKey& key) override { rows.push_back(row(key)); }
+  bool when(bool) override { return true; }
+  bool gives(std::string_view) override { return false; }
+
+ protected:
+  std::optional<std::size_t> choose(const NamedChoice& choice) override;
+  std::optional<Refusal> refuse(std::optional<Refusal>) override { return std::nullopt; }
+};
+
+/// Lists the keys of one or more settings structs that share a table.
+template <class... S>
+KeyTable table_of(const std::string& command, const TableKey& key) {
+  FieldLister lister;
+  const auto list = [&](auto settings) { settings.visit(lister); };
+  (list(S{}), ...);
+  return key_table(command, key, std::move(lister.rows));
+}
+
+/// Lists the tables of settings structs, each under its own name.
+template <class... S>
+std::vector<KeyTable> tables_of(const std::string& command) {
+  return {table_of<S>(command, S::table)...};
+}
+
+/// Returns "[motion.whirl]", "[[rock.layers]]" or "top of the file".
 std::string header_of(const KeyTable& table);
 
-/// The tables for a terminal, one under the other.
+/// Formats the tables for a terminal.
 std::string keys_as_text(std::span<const KeyTable> tables);
 
-/// The tables in Markdown.
+/// Formats the tables in Markdown.
 std::string keys_as_markdown(std::span<const KeyTable> tables);
 
-/// The tables of this name and those inside them ("motion": also "motion.whirl"). Throws InputError
-/// with the nearest name, or the command that lists them, when there is none.
+/// Returns the tables of this name and those inside them ("motion": also "motion.whirl"). If there
+/// are none, throws InputError with the nearest name or the command that lists them.
 std::vector<KeyTable> tables_named(std::span<const KeyTable> tables, const std::string& name,
                                    const std::string& listed_by = "tdbd keys");
 

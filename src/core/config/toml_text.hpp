@@ -8,14 +8,14 @@
 
 namespace tdbd {
 
-/// A text as a TOML string, quoted and escaped.
+/// Formats a text as a TOML string, quoted and escaped.
 std::string toml_string(std::string_view text);
 
-/// Texts as a TOML array.
+/// Formats texts as a TOML array.
 std::string toml_texts(const std::vector<std::string>& texts);
 
-/// A vector as a TOML array: the shortest digits that read back to the same bits. Empty if a
-/// component is not finite.
+/// Formats a vector as a TOML array, with the shortest digits that read back to the same numbers.
+/// Empty if a component is not finite.
 std::string toml_vector(const Vec3& v);
 
 }  // namespace tdbd

@@ -14,10 +14,16 @@ void set_shortest_edge(MaintenanceLimits& l, double shortest) {
   l.untangle_farthest = below * 2.0 * shortest;
 }
 
-MaintenanceLimits limits_for(double edge_length) {
+MaintenanceLimits limits_for(double edge_length, const MaintenanceOptions& options) {
   MaintenanceLimits l;
-  set_shortest_edge(l, 0.4 * edge_length);
-  l.longest_edge = 1.6 * edge_length;
+  set_shortest_edge(l, options.shortest_edge * edge_length);
+  l.longest_edge = options.longest_edge * edge_length;
+  l.rest = static_cast<int>(options.rest);
+  l.longest_wait = static_cast<int>(options.longest_wait);
+  l.worst_quality = options.worst_quality;
+  l.flip_quality = options.flip_quality;
+  l.smoothing = options.smoothing;
+  l.smooth_quality = options.smooth_quality;
   l.volume_per_operation = 0.01 * edge_length * edge_length * edge_length;
   l.ridge_cut = 0.05 * edge_length;
   l.untangle_volume = 20.0 * l.volume_per_operation;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/config/fields.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/surface.hpp"
 #include "rock/rock.hpp"
@@ -15,12 +16,60 @@ namespace tdbd::rock {
 
 enum class Smoothing { off, tangential };
 
+/// How the rock's mesh is kept in shape.
+struct MaintenanceOptions {
+  long every = 5;
+  long rest = 4;
+  long longest_wait = 20;
+  long renumber_every = 2500;
+  double shortest_edge = 0.4;
+  double longest_edge = 1.6;
+  double worst_quality = 0.1;
+  double flip_quality = 0.6;
+  Smoothing smoothing = Smoothing::tangential;
+  double smooth_quality = 0.5;
+
+  static constexpr TableKey table{"maintenance", "how the rock's mesh is kept in shape"};
+  void visit(FieldVisitor& v) {
+    v(every, {.name = "every", .hi = 1'000'000, .meaning = "steps between maintenances; 0: never"});
+    v(rest, {.name = "rest",
+             .hi = 1'000'000,
+             .meaning = "steps without a move of a vertex before it is maintained; 0: none"});
+    v(longest_wait, {.name = "longest_wait",
+                     .lo = 1,
+                     .hi = 1'000'000,
+                     .meaning = "steps after which a vertex is maintained in any case"});
+    v(renumber_every,
+      {.name = "renumber_every",
+       .hi = 1'000'000'000,
+       .meaning = "steps between renumberings of the mesh by place, for speed; 0: never"});
+    v(shortest_edge, {.name = "shortest_edge",
+                      .range = Range::within(0.0, 0.7),
+                      .meaning = "over rock.edge_length; shorter edges collapse"});
+    v(longest_edge, {.name = "longest_edge",
+                     .range = Range::within(1.3, 100.0),
+                     .meaning = "over rock.edge_length; longer edges are split"});
+    v(worst_quality, {.name = "worst_quality",
+                      .range = Range::within(0.0, 0.5),
+                      .meaning = "an operation makes no triangle worse than this"});
+    v(flip_quality, {.name = "flip_quality",
+                     .range = Range::within(0.0, 1.0),
+                     .meaning = "triangles below may flip their longest edge; 0: none does"});
+    v(smoothing, {.name = "smoothing",
+                  .values = {{{"off", Smoothing::off}, {"tangential", Smoothing::tangential}}},
+                  .meaning = "whether vertices move along the surface to better places"});
+    v(smooth_quality, {.name = "smooth_quality",
+                       .range = Range::within(0.0, 1.0),
+                       .meaning = "vertices of triangles below are smoothed"});
+  }
+};
+
 /// Limits of the surface's shape. Lengths in m. Thesis: 4.2.4 (reconstructed: our excerpt has only
 /// the names of the operations); rock (15) to (18).
 struct MaintenanceLimits {
   double shortest_edge = 0.0;   ///< L_min: shorter edges collapse
   double longest_edge = 0.0;    ///< L_max: longer edges are bisected
-  double worst_quality = 0.1;   ///< q_min: the shortest edge of a worse triangle collapses
+  double worst_quality = 0.0;   ///< q_min: the shortest edge of a worse triangle collapses
   double flip_quality = 0.0;    ///< edges of worse triangles may flip; 0: no flips
   double smooth_quality = 0.0;  ///< vertices of worse triangles are smoothed
   Smoothing smoothing = Smoothing::off;
@@ -33,15 +82,16 @@ struct MaintenanceLimits {
   double steepest_overhang = 0.1;     ///< sine of an upright triangle's largest overhang
   double sharp_cosine = 0.7;  ///< an edge is a sharp ridge if the cosine of its normals is smaller
   int rest = 0;               ///< cuts without a move of a vertex before it is maintained
-  int longest_wait = 20;      ///< cuts after which a vertex is maintained in any case
+  int longest_wait = 0;       ///< cuts after which a vertex is maintained in any case
   int most_rounds = 1000;     ///< of one kind of repair in one maintenance; more is an error
 };
 
 /// Sets L_min and the distances derived from it: just below L_min / 2 and, for untangling, 2 L_min.
 void set_shortest_edge(MaintenanceLimits& limits, double shortest);
 
-/// Suitable limits for an edge length h: edges in [0.4, 1.6] h, volume 0.01 h^3, drift L_min / 2.
-MaintenanceLimits limits_for(double edge_length);
+/// Suitable limits for an edge length h: edges in [0.4, 1.6] h by default, volume 0.01 h^3, drift
+/// L_min / 2.
+MaintenanceLimits limits_for(double edge_length, const MaintenanceOptions& options = {});
 
 /// Operations of maintenance. Thesis: bisection 4.2.2, collapse 4.2.1, smoothing 4.2.3; the others
 /// are not in the thesis.

@@ -3,16 +3,23 @@
 #include <string>
 #include <vector>
 
+#include "core/config/key_table.hpp"
+
 namespace tdbd::simulation {
 
-/// What a TOML file is, by its tables.
+/// The kind of a TOML file, recognized by its tables.
 enum class CaseKind { drilling, rotation, calibration, laboratory, sweep, string, bit, unknown };
 
-/// Of the file with its overrides. Throws InputError when it is no TOML.
+/// Returns the kind of a file with its overrides. Throws InputError if it is not TOML.
 CaseKind kind_of(const std::string& file, const std::vector<std::string>& overrides);
 
-/// Throws InputError, with the command that is meant, when the file is clearly of no expected kind.
+/// Throws InputError, with the command that the user probably meant, if the file is clearly of none
+/// of the expected kinds.
 void require_kind(const std::string& file, const std::vector<std::string>& overrides,
                   const std::vector<CaseKind>& expected);
+
+/// Lists every table of an input file: of cases of `tdbd run`, then of `tdbd rotate`, then of bit
+/// files. A new settings struct is added to the list in case_kind.cpp or bit/files/bit_file.cpp.
+std::vector<KeyTable> all_tables();
 
 }  // namespace tdbd::simulation

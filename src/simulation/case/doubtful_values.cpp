@@ -8,23 +8,72 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "mesh/measures.hpp"
-#include "simulation/case/chain_doubts.hpp"
-#include "simulation/case/drilling_keys.hpp"
+#include "rotation/screw.hpp"
+#include "simulation/case/read_chain.hpp"
 
 namespace tdbd::simulation {
 namespace {
+
+/// Something that a step must not jump over.
+struct Obstacle {
+  const bit::Part* part;
+  Vec3 middle_B;
+  double size;  ///< m
+};
+
+std::vector<Obstacle> cutting_parts(const bit::Bit& bit) {
+  std::vector<Obstacle> parts;
+  for (const bit::Part& part : bit.parts) {
+    if (final_cutting(part) != bit::Cutting::cuts || part.mesh_P.positions.empty()) continue;
+    const mesh::Box box_P = mesh::bounding_box(part.mesh_P);
+    parts.push_back({&part, part.X_BP * (0.5 * (box_P.lo + box_P.hi)), box_P.size().norm()});
+  }
+  return parts;
+}
+
+/// The largest distance (m) that the middle of the part moves in a step.
+double jump(const Speeds& s, const Obstacle& o, double dt) {
+  return dt * (s.shift + s.w_B.cross(o.middle_B).norm() + s.swing * o.middle_B.norm());
+}
+
+/// Describes a step that is too long for one piece of the motion: found and expected.
+std::optional<std::pair<std::string, std::string>> fault(const Speeds& s, double dt,
+                                                         const std::vector<Obstacle>& parts) {
+  constexpr double largest_turn = 0.5;  // rad
+  if (s.w_B.norm() * dt > largest_turn)
+    return std::pair(fmt::format("a turn of {:.3g} rad in one step", s.w_B.norm() * dt),
+                     fmt::format("at most {} rad", largest_turn));
+  for (const Obstacle& o : parts)
+    if (const double far = jump(s, o, dt); far > o.size)
+      return std::pair(
+          fmt::format("a jump of {:.3g} mm of {} in one step of {} s", 1e3 * far, o.part->name, dt),
+          fmt::format("at most the part's size, {:.3g} mm: a shorter time.step or a slower motion",
+                      1e3 * o.size));
+  return std::nullopt;
+}
+
+double over(double x, double ramp) { return ramp > 0.0 ? x / ramp : 0.0; }
+
+std::vector<Speeds> speeds_on(const std::vector<PathPoint>& path) {
+  std::vector<Speeds> speeds;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const PathPoint &a = path[i - 1], &b = path[i];
+    const double dt = b.time - a.time;
+    const Vec3 turn =
+        rotation::log(rotation::exp(a.rotation_WB).transpose() * rotation::exp(b.rotation_WB));
+    speeds.push_back({(b.p_WB - a.p_WB).norm() / dt, turn / dt, 0.0, b.line});
+  }
+  return speeds;
+}
 
 CaseWarning warning(const Config& c, const std::string& key, const std::string& text) {
   return {c.place(key), key, text};
 }
 
-std::string in_table(const TableKey& table, std::string_view key) {
-  return fmt::format("{}.{}", table.name, key);
-}
-
-/// The middle of a part's three sizes, m; 0 without a mesh.
+/// The middle one of the three sizes of a part's box, m; 0 without a mesh.
 double width_of(const bit::Part& part) {
   if (part.mesh_P.positions.empty()) return 0.0;
   const Vec3 size = mesh::bounding_box(part.mesh_P).size();
@@ -36,14 +85,14 @@ double width_of(const bit::Part& part) {
 void doubt_edges(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
   const double width = narrowest_width(read.bit), edge = read.rock.edge_length;
   if (width == 0.0 || edge <= 0.5 * width) return;
-  warnings.push_back(warning(
-      c, in_table(rock_keys::table, rock_keys::edge_length),
-      fmt::format("edges of {:.3g} mm do not show what a part {:.3g} mm wide cuts; volumes and "
-                  "forces mean something with at most half of that",
-                  1e3 * edge, 1e3 * width)));
+  warnings.push_back(
+      warning(c, "rock.edge_length",
+              fmt::format("edges of {:.3g} mm do not resolve the cuts of a part {:.3g} mm wide; "
+                          "for meaningful volumes and forces use at most half of that",
+                          1e3 * edge, 1e3 * width)));
 }
 
-/// The narrowest tooth with a law, m; 0: none.
+/// The width (m) of the narrowest tooth with a law; 0 without one.
 double narrowest_bearing_tooth(const Case& read) {
   double narrowest = 0.0;
   for (std::size_t i = 0; i < read.bit.parts.size(); ++i) {
@@ -64,13 +113,13 @@ void doubt_tooth_forces(const Config& c, const Case& read, std::vector<CaseWarni
   const double width = narrowest_bearing_tooth(read), edge = read.rock.edge_length;
   if (width == 0.0 || edges_per_width * edge <= width) return;
   warnings.push_back(warning(
-      c, in_table(rock_keys::table, rock_keys::edge_length),
+      c, "rock.edge_length",
       fmt::format("edges of {:.3g} mm are coarse for the forces on a tooth {:.3g} mm wide; for "
                   "errors of at most about 5 % use {:.2g} mm",
                   1e3 * edge, 1e3 * width, 1e3 * width / edges_per_width)));
 }
 
-/// Nearer than the longest edge, a section crosses triangles that the face has reached already.
+/// A section closer than the longest edge crosses triangles that the face has already reached.
 void doubt_section_lead(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
   const double lead = read.measure.section_lead, longest = read.maintenance.longest_edge;
   const bool has_faces = std::ranges::any_of(read.bit.parts, [](const bit::Part& part) {
@@ -79,7 +128,7 @@ void doubt_section_lead(const Config& c, const Case& read, std::vector<CaseWarni
   if (!has_faces || read.measure.section == SectionMeasure::off) return;
   if (read.maintenance.every == 0 || lead >= longest) return;
   warnings.push_back(warning(
-      c, in_table(measure_keys::table, measure_keys::section_lead.name),
+      c, "measure.section_lead",
       fmt::format("sections {:.3g} edge lengths ahead are too small where edges are up to {:.3g} "
                   "edge lengths long (maintenance.longest_edge): found {:.3g}, expected at least "
                   "{:.3g}",
@@ -93,14 +142,14 @@ void doubt_weight(const Config& c, const Case& read, std::vector<CaseWarning>& w
   const double heaviest = weights.empty() ? 0.0 : std::ranges::max(weights);
   if (heaviest <= most) return;
   warnings.push_back(
-      warning(c, in_table(motion_keys::table, motion_keys::weight_on_bit),
+      warning(c, "motion.weight_on_bit",
               fmt::format("{:.4g} kN on a bit of {:.4g} mm: teeth break at {:.3g} kN (10 klbf per "
                           "inch of diameter)",
                           1e-3 * heaviest, 2e3 * read.bit.gage_radius, 1e-3 * most)));
 }
 
-/// The forces along +z with which the string holds a bit off bottom, N: each load less the weight
-/// that the hook carries, or the weight alone where an axial spring carries it.
+/// The forces along +z (N) with which the string holds a bit off bottom: each load minus the weight
+/// that the hook carries, or only the weight if an axial spring carries it.
 std::vector<double> holding_forces(const dynamics::DrillingSystem& s) {
   const double weight = s.mass * s.gravity;
   if (s.top.axial == dynamics::AxialMode::rate)
@@ -110,9 +159,9 @@ std::vector<double> holding_forces(const dynamics::DrillingSystem& s) {
   return forces;
 }
 
-/// A force F down at a height H above the centre of mass turns a bit that leans by a small angle a
-/// with the moment F H a, and bending stiffness turns it back. Lateral springs do not: off bottom the
-/// centre of mass moves aside instead.
+/// A downward force F at a height H above the centre of mass turns a bit that leans by a small
+/// angle a with the moment F H a. Bending stiffness turns it back. Lateral springs do not: off
+/// bottom the centre of mass moves sideways instead.
 void doubt_attachment(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
   if (read.motion.kind != MotionKind::drilling) return;
   const dynamics::DrillingSystem& s = read.drilling.system;
@@ -123,7 +172,7 @@ void doubt_attachment(const Config& c, const Case& read, std::vector<CaseWarning
     if (force * height > worst * height) worst = force;
   if (worst * height <= bending) return;
   warnings.push_back(warning(
-      c, in_table(string_keys::table, string_keys::attachment_height),
+      c, "string.attachment_height",
       fmt::format(
           "off bottom the bit topples: the string {} it with {:.4g} N at a point {:.4g} mm "
           "{} its centre of mass; found a bending stiffness of {:.4g} N m/rad, expected more "
@@ -132,23 +181,23 @@ void doubt_attachment(const Config& c, const Case& read, std::vector<CaseWarning
           height < 0.0 ? "below" : "above", bending, worst * height)));
 }
 
-/// 1/kg: how an impulse along the radius at the ring changes its speed.
+/// 1/kg: change of speed by a unit impulse along the radius at the ring.
 double mobility_of_ring(const dynamics::DrillingSystem& s) {
   const double arm = s.wall.ring_z_B - s.centre_B.z();
   const Mat3& turning = s.gyrostat.carrier_inverse_B;
   return 1.0 / s.mass + arm * arm * std::max(turning(0, 0), turning(1, 1));
 }
 
-/// Where the bit touches its wall for a few steps, or rolls around it in a few, the step does not
-/// resolve the contact. Both limits are those within which the whirling bit of the study whirl-climb
-/// advances within 5 % of its limit.
+/// If the bit touches its wall for only a few steps, or rolls around it in a few, the step does not
+/// resolve the contact. Within both limits, the whirling bit of the study whirl-climb advances
+/// within 5 % of its limit.
 void doubt_wall_step(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
   constexpr double steps_per_touch = 10.0, largest_turn = 0.25;  // rad
   const dynamics::DrillingSystem& s = read.drilling.system;
   if (read.motion.kind != MotionKind::drilling || !(s.wall.stiffness > 0.0) || !(s.mass > 0.0))
     return;
   const double h = read.time.step;
-  const std::string key = in_table(time_keys::table, time_keys::step);
+  const std::string key = "time.step";
   const double touch = std::numbers::pi / std::sqrt(s.wall.stiffness * mobility_of_ring(s));
   if (touch < steps_per_touch * h)
     warnings.push_back(warning(
@@ -168,7 +217,7 @@ void doubt_wall_step(const Config& c, const Case& read, std::vector<CaseWarning>
                     1e3 * largest_turn / rolling)));
 }
 
-/// How often the blades of the bit pass at its fastest, Hz; 0 without blades.
+/// The frequency (Hz) at which the blades of the bit pass at its highest speed; 0 without blades.
 double passing_frequency(const Case& read) {
   int blades = 0;
   for (const bit::Cutter& cutter : read.bit.cutters) blades = std::max(blades, cutter.blade);
@@ -177,18 +226,19 @@ double passing_frequency(const Case& read) {
   return blades * fastest / (2.0 * std::numbers::pi);
 }
 
-/// The weight on bit of sections as they are ahead leads the bit's axial motion (reports/studies/chatter-onset).
+/// The weight on bit that follows from sections ahead of the faces leads the bit's axial motion
+/// (reports/studies/chatter-onset).
 void doubt_sections(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
   const bool of_chain = read.motion.kind == MotionKind::drilling && read.drilling.system.chained;
   if (!of_chain || read.bit.cutters.empty() || read.measure.section == SectionMeasure::off ||
       read.measure.section_at_face == rock::SectionAtFace::extrapolated)
     return;
-  warnings.push_back(warning(c, in_table(measure_keys::table, measure_keys::section_at_face.name),
-                             "\"as_ahead\" damps axial vibrations of the bit, since the weight on "
-                             "bit leads its motion: \"extrapolated\" hardly does"));
+  warnings.push_back(warning(c, "measure.section_at_face",
+                             "\"as_ahead\" damps axial vibrations of the bit, because the weight "
+                             "on bit leads its motion; \"extrapolated\" hardly does"));
 }
 
-/// Of a string on a chain; where the case gives no hole, it is the one that the bit drills.
+/// For a string on a chain. If the case gives no hole, it is the hole that the bit drills.
 void doubt_chain(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
   const dynamics::DrillingSystem& s = read.drilling.system;
   if (read.motion.kind != MotionKind::drilling || !s.chained) return;
@@ -204,6 +254,27 @@ void doubt_chain(const Config& c, const Case& read, std::vector<CaseWarning>& wa
 }
 
 }  // namespace
+
+std::vector<Speeds> speeds_of(const Motion& m) {
+  if (has_path(m)) return speeds_on(m.path);
+  return {{std::abs(m.rate_of_penetration) +
+               m.whirl.radius * (m.whirl.frequency + over(1.0, m.whirl.ramp)),
+           m.rotary_speed * Vec3::UnitZ(),
+           m.tilt.angle * (m.tilt.frequency + over(1.0, m.tilt.ramp)), 0}};
+}
+
+void check_step_length(Config& c, const Case& read) {
+  if (c.problem_count() > 0) return;
+  const std::vector<Obstacle> parts = cutting_parts(read.bit);
+  for (const Speeds& s : speeds_of(read.motion)) {
+    const auto wrong = fault(s, read.time.step, parts);
+    if (!wrong) continue;
+    const auto& [found, expected] = *wrong;
+    if (s.line == 0) return c.table(TimeSettings::table).problem("step", found, expected);
+    return c.other_file(fmt::format("{}:{}: time_s: found {}, expected {}", read.motion.path_file,
+                                    s.line, found, expected));
+  }
+}
 
 double narrowest_width(const bit::Bit& bit) {
   double narrowest = std::numeric_limits<double>::infinity();

@@ -6,7 +6,6 @@
 
 #include "core/config/csv.hpp"
 #include "core/error.hpp"
-#include "simulation/case/chain_keys.hpp"
 #include "simulation/case/read_chain.hpp"
 
 namespace tdbd::simulation {
@@ -15,69 +14,42 @@ namespace {
 using std::numbers::pi;
 using string::Section;
 
-string::Material material_of(section_keys::MaterialName name) {
-  switch (name) {
-    case section_keys::MaterialName::aluminium:
-      return {71e9, 26.7e9, 2800.0};
-    case section_keys::MaterialName::titanium:
-      return {114e9, 43e9, 4430.0};
-    default:
-      return {};
-  }
-}
-
-/// A section by its products.
-Section read_products(Config& c) {
-  using namespace section_keys;
-  Section s;
-  s.axial_rigidity = c.read(axial_rigidity, 1.0);
-  s.torsional_rigidity = c.read(torsional_rigidity, 1.0);
-  s.mass = c.read(mass_per_length, 0.0);
-  s.inertia = c.read(inertia_per_length, 0.0);
-  s.weight = c.read(weight_per_length, 0.0);
-  s.contact_radius = c.has(contact_diameter) ? 0.5 * c.read(contact_diameter) : 1.0;
-  for (const QuantityKey& key : {axial_rigidity, torsional_rigidity})
-    if (c.has(key) && c.read(key, 1.0) == 0.0) c.problem(key, "0", "a rigidity that holds, > 0");
-  for (const QuantityKey& key : {outer_diameter, inner_diameter, linear_mass})
-    if (c.has(key)) {
-      c.read(key);
-      c.problem(key, "rigidities as well", "a section by diameters or by its rigidities");
-    }
+/// Makes a section that is given by its rigidities and masses.
+Section products_of(Config& c, const SectionSettings& given) {
+  Section s = given.products;
+  s.contact_radius = given.diameters.contact > 0.0 ? 0.5 * given.diameters.contact : 1.0;
+  const auto require_positive = [&](const char* key, double rigidity) {
+    if (c.has(key) && rigidity == 0.0) c.problem(key, "0", "a rigidity > 0");
+  };
+  require_positive("axial_rigidity", s.axial_rigidity);
+  require_positive("torsional_rigidity", s.torsional_rigidity);
   return s;
 }
 
-Section read_pipe(Config& c, const string::Surroundings& around) {
-  using namespace section_keys;
-  string::Diameters d;
-  d.outer = c.read(outer_diameter);
-  d.inner = c.read(inner_diameter);
-  d.contact = c.read(contact_diameter, d.outer);
-  string::Material m = material_of(c.read(material));
-  m.young = c.read(young, m.young);
-  m.shear = c.read(shear, m.shear);
-  m.density = c.read(density, m.density);
-  const double mass = c.has(linear_mass) ? c.read(linear_mass) : 0.0;
-  if (c.has(outer_diameter) && d.inner >= d.outer)
-    c.problem(inner_diameter, fmt::format("{:.6g} m", d.inner),
+Section pipe_of(Config& c, const SectionSettings& s, const string::Surroundings& around) {
+  const string::Diameters& d = s.diameters;
+  if (c.has("outer_diameter") && d.inner >= d.outer)
+    c.problem("inner_diameter", fmt::format("{:.6g} m", d.inner),
               fmt::format("less than the outer diameter, {:.6g} m", d.outer));
   if (d.contact < d.outer)
-    c.problem(contact_diameter, fmt::format("{:.6g} m", d.contact),
+    c.problem("contact_diameter", fmt::format("{:.6g} m", d.contact),
               fmt::format("at least the outer diameter, {:.6g} m", d.outer));
-  if (around.mud_density >= m.density)
-    c.problem(density,
-              fmt::format("{:.6g} kg/m3 in mud of {:.6g} kg/m3", m.density, around.mud_density),
+  const double density = s.moduli.density;
+  if (around.mud_density >= density)
+    c.problem("density",
+              fmt::format("{:.6g} kg/m3 in mud of {:.6g} kg/m3", density, around.mud_density),
               "a string that sinks");
-  return string::pipe(1.0, d, m, mass, around);
+  return string::pipe(1.0, d, s.moduli, s.linear_mass, around);
 }
 
 std::vector<Section> read_sections(Config& whole, const string::Surroundings& around) {
   std::vector<Section> sections;
-  for (Config c : whole.tables(section_keys::table)) {
-    const double length = c.read(section_keys::length);
-    const bool by_products =
-        c.has(section_keys::axial_rigidity) || c.has(section_keys::torsional_rigidity);
-    Section s = by_products ? read_products(c) : read_pipe(c, around);
-    s.length = length;
+  for (Config c : whole.tables(SectionSettings::table)) {
+    const bool by_products = c.has("axial_rigidity") || c.has("torsional_rigidity");
+    SectionSettings given;
+    read_fields(c, given, by_products ? SectionBy::products : SectionBy::diameters);
+    Section s = by_products ? products_of(c, given) : pipe_of(c, given, around);
+    s.length = given.length;
     sections.push_back(s);
   }
   return sections;
@@ -97,15 +69,11 @@ string::Stations stations_of_file(const std::string& file) {
 }
 
 string::Stations read_stations(Config& c) {
-  using namespace survey_keys;
-  if (!c.has(file)) return {c.read(measured_depth), c.read(inclination), c.read(azimuth)};
-  for (const ListKey& key : {measured_depth, inclination, azimuth})
-    if (c.has(key)) {
-      c.read(key);
-      c.problem(key, "a file as well", "a file or the lists");
-    }
+  SurveySettings s;
+  read_fields(c, s);
+  if (!c.has("file")) return s.stations;
   try {
-    return stations_of_file(c.read(file));
+    return stations_of_file(s.file);
   } catch (const InputError& e) {
     c.other_file(e.what());
     return {{0.0}, {0.0}, {0.0}};
@@ -117,25 +85,23 @@ void check_doglegs(Config& c, const string::Stations& stations,
   constexpr double most = 30.0, doubtful = 15.0;  // deg in 30 m
   const string::Dogleg worst = string::worst_dogleg(stations);
   const double severity = worst.severity * 180.0 / pi * 30.0;
-  const auto key = c.has(survey_keys::file) ? std::string_view(survey_keys::file)
-                                            : std::string_view(survey_keys::inclination);
+  const char* key = c.has("file") ? "file" : "inclination";
   const std::string found =
       fmt::format("a dogleg of {:.3g} deg in 30 m above station {}", severity, worst.station);
   if (severity > most)
     c.problem(key, found, fmt::format("at most {} deg in 30 m: check the stations", most));
   else if (severity > doubtful)
-    warnings.push_back({c.place(key), fmt::format("{}.{}", survey_keys::table.name, key),
+    warnings.push_back({c.place(key), fmt::format("{}.{}", SurveySettings::table.name, key),
                         found + ": check the stations"});
 }
 
 string::Survey read_survey(Config& whole, double length, std::vector<CaseWarning>& warnings) {
-  if (!whole.has(survey_keys::table)) return string::vertical();
-  Config c = whole.table(survey_keys::table);
+  if (!whole.has(SurveySettings::table)) return string::vertical();
+  Config c = whole.table(SurveySettings::table);
   const std::size_t mistakes = c.problem_count();
   const string::Stations stations = read_stations(c);
   if (c.problem_count() != mistakes) return string::vertical();
-  const auto key = c.has(survey_keys::file) ? std::string_view(survey_keys::file)
-                                            : std::string_view(survey_keys::measured_depth);
+  const char* key = c.has("file") ? "file" : "measured_depth";
   if (const std::string why = string::survey_problem(stations); !why.empty()) {
     c.problem(key, why, "stations of a well");
     return string::vertical();
@@ -149,34 +115,32 @@ string::Survey read_survey(Config& whole, double length, std::vector<CaseWarning
   return string::make_survey(stations);
 }
 
-/// Coefficients at rest and in motion of one table.
-string::FrictionBelow read_coefficients(Config& c, const string::FrictionBelow& usual) {
-  using namespace string_friction_keys;
-  string::FrictionBelow f;
-  const std::size_t mistakes = c.problem_count();
-  f.resting = c.read(resting, usual.resting);
-  f.sliding = c.read(sliding, c.has(resting) ? f.resting : std::min(usual.sliding, f.resting));
+/// Friction in motion cannot be larger than at rest. `mistakes`: number before the coefficients
+/// were read.
+void check_friction(Config& c, const FrictionCoefficients& f, std::size_t mistakes) {
   if (f.sliding > f.resting && c.problem_count() == mistakes)
-    c.problem(sliding, fmt::format("{:.6g}", f.sliding),
+    c.problem("dynamic", fmt::format("{:.6g}", f.sliding),
               fmt::format("at most the coefficient at rest, {:.6g}", f.resting));
-  return f;
 }
 
-/// Friction by depth, downward: a cased hole above, the open hole below.
+/// Reads friction by depth, downward: a cased hole above, the open hole below.
 std::vector<string::FrictionBelow> read_friction(Config& c) {
-  using namespace string_friction_keys;
-  const string::FrictionBelow open = read_coefficients(c, {});
+  std::size_t mistakes = c.problem_count();
+  FrictionCoefficients open;
+  read_fields(c, open);
+  check_friction(c, open, mistakes);
   std::vector<string::FrictionBelow> by_depth;
   double from = 0.0;
-  for (Config cased : c.tables(above)) {
-    const double to = cased.read(string_friction_keys::depth);
-    string::FrictionBelow f = read_coefficients(cased, open);
-    f.depth = from;
-    if (!(to > from))
-      cased.problem(string_friction_keys::depth, fmt::format("{:.6g} m after {:.6g} m", to, from),
+  for (Config cased : c.tables(FrictionAbove::table)) {
+    mistakes = c.problem_count();
+    FrictionAbove f{.coefficients = open};
+    read_fields(cased, f);
+    check_friction(cased, f.coefficients, mistakes);
+    if (!(f.depth > from))
+      cased.problem("depth", fmt::format("{:.6g} m after {:.6g} m", f.depth, from),
                     "ascending depths");
-    by_depth.push_back(f);
-    from = to;
+    by_depth.push_back({from, f.coefficients.resting, f.coefficients.sliding});
+    from = f.depth;
   }
   by_depth.push_back({from, open.resting, open.sliding});
   return by_depth;
@@ -184,22 +148,46 @@ std::vector<string::FrictionBelow> read_friction(Config& c) {
 
 }  // namespace
 
+StringModel read_string_model(Config& string) {
+  FieldReader reader(string);
+  ChainSettings settings;
+  settings.visit_model(reader);
+  return settings.model;
+}
+
+string::Material material_of(MaterialName name) {
+  switch (name) {
+    case MaterialName::aluminium:
+      return {71e9, 26.7e9, 2800.0};
+    case MaterialName::titanium:
+      return {114e9, 43e9, 4430.0};
+    default:
+      return {};
+  }
+}
+
 StringPlan read_string_plan(Config& whole, double step, std::vector<CaseWarning>& warnings) {
-  using namespace string_friction_keys;
-  Config c = whole.table(chain_keys::table), friction = c.table(string_friction_keys::table);
+  Config c = whole.table(ChainSettings::table);
+  ChainSettings chain;
+  read_fields(c, chain);
+  Gravity gravity;
+  read_fields(c, gravity);
+  const auto damping = read_table<StringDamping>(c);
   StringPlan p;
-  const string::Surroundings around{friction.read(mud_density), c.read(chain_keys::gravity)};
-  p.sections = read_sections(c, around);
+  p.sections = read_sections(c, {damping.mud_density, gravity.gravity});
   p.survey = read_survey(c, string::total_length(p.sections), warnings);
+  Config friction = c.table(StringDamping::table);
   p.friction = read_friction(friction);
-  p.threshold = friction.read(threshold);
-  p.axial_damping = friction.read(axial_damping);
-  p.torsional_damping = friction.read(torsional_damping);
-  p.axial_loss_time = friction.read(axial_loss_time);
+  p.threshold = damping.threshold;
+  p.axial_damping = damping.axial_damping;
+  p.torsional_damping = damping.torsional_damping;
+  p.axial_loss_time = damping.axial_loss_time;
   bool two_levels = false;
   for (const string::FrictionBelow& f : p.friction) two_levels |= f.resting > f.sliding;
-  p.torsional_loss_time = friction.read(torsional_loss_time, two_levels ? 0.1 * step : 0.0);
-  if (c.has(chain_keys::hole_diameter)) p.hole_diameter = c.read(chain_keys::hole_diameter);
+  TorsionalLoss loss{two_levels ? 0.1 * step : 0.0};
+  read_fields(friction, loss);
+  p.torsional_loss_time = loss.time;
+  p.hole_diameter = chain.hole_diameter;
   if (p.sections.empty())
     whole.problem("string.sections", "no section", "at least one [[string.sections]]");
   return p;

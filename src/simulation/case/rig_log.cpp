@@ -1,4 +1,3 @@
-#include "simulation/case/rig_log.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +6,8 @@
 
 #include "core/config/field_table.hpp"
 #include "core/error.hpp"
-#include "simulation/case/chain_keys.hpp"
-#include "simulation/case/rig_log_keys.hpp"
+#include "simulation/case/string_settings.hpp"
+#include "simulation/case/top_settings.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -16,7 +15,7 @@ namespace {
 using dynamics::Schedule;
 using string::Top;
 
-/// Times ascend; named by the line of the file.
+/// Checks that times ascend. The message names the line of the file.
 void demand_ascending(const FieldTable& t, const std::string& column,
                       const std::vector<double>& times) {
   CsvMistakes mistakes{t.file};
@@ -38,52 +37,41 @@ void demand_range(const FieldTable& t, const std::string& column, const Quantity
   mistakes.throw_if_any();
 }
 
-/// The names of columns that a case gives; empty: not this one.
-struct LogColumns {
-  std::string time, rotary_speed, block_speed, hook_load;
-};
-
-LogColumns read_log_columns(Config& c) {
-  using namespace rig_log_keys;
-  const auto optional = [&](const TextKey& key) { return c.has(key) ? c.read(key) : ""; };
-  return {c.read(time), optional(rotary_speed), optional(block_speed), optional(hook_load)};
-}
-
-/// What cannot be beside each other: the log, and the way in which the top moves.
-void check_columns(Config& c, const LogColumns& columns, Top::Axial axial) {
-  using namespace rig_log_keys;
-  if (columns.rotary_speed.empty() && columns.block_speed.empty() && columns.hook_load.empty())
-    c.problem(file, "a log without a column to use",
+/// Records settings that contradict each other: the log, and the way in which the top moves.
+void check_columns(Config& c, const LogSettings& log, Top::Axial axial) {
+  if (!log.rotary_speed && !log.block_speed && !log.hook_load)
+    c.problem("file", "a log without a column to use",
               "rotary_speed, block_speed or hook_load: the name of a column");
-  if (!columns.block_speed.empty() && !columns.hook_load.empty())
-    return c.problem(block_speed, "hook_load as well", "one of the two");
-  if (!columns.block_speed.empty() && axial != Top::Axial::rate)
-    c.problem(block_speed, "a speed of the block without string.top.axial = \"rate\"",
+  if (log.block_speed && log.hook_load)
+    return c.problem("block_speed", "hook_load as well", "one of the two");
+  if (log.block_speed && axial != Top::Axial::rate)
+    c.problem("block_speed", "a speed of the block without string.top.axial = \"rate\"",
               "none, or that key");
-  if (!columns.hook_load.empty() && axial != Top::Axial::hook_load)
-    c.problem(hook_load, "a hook load without string.top.axial = \"hook-load\"",
+  if (log.hook_load && axial != Top::Axial::hook_load)
+    c.problem("hook_load", "a hook load without string.top.axial = \"hook-load\"",
               "none, or that key");
 }
 
-/// The schedules of a log; `start`: its time at t = 0, s, that of the first row unless given.
-RigLog schedules_of(Config& c, const std::string& file, const LogColumns& columns) {
-  const FieldTable t = read_field_table(file);
-  std::vector<double> times = field_column(t, columns.time, "s");
-  demand_ascending(t, columns.time, times);
-  const double start = c.read(rig_log_keys::start, times.front());
-  if (start < times.front() || start > times.back())
-    c.problem(rig_log_keys::start, fmt::format("{:.6g} s", start),
+/// Returns the schedules of a log. At t = 0 its time is that of the first row by default.
+RigLog schedules_of(Config& c, const LogSettings& log) {
+  const FieldTable t = read_field_table(log.file);
+  std::vector<double> times = field_column(t, log.time, "s");
+  demand_ascending(t, log.time, times);
+  LogStart from{times.front()};
+  read_fields(c, from);
+  if (from.start < times.front() || from.start > times.back())
+    c.problem("start", fmt::format("{:.6g} s", from.start),
               fmt::format("a time of the log, {:.6g} to {:.6g} s", times.front(), times.back()));
-  for (double& x : times) x -= start;
-  const auto read = [&](const std::string& column, const QuantityKey& key) {
-    if (column.empty()) return Schedule{};
-    std::vector<double> values = field_column(t, column, std::string(key.unit));
-    demand_range(t, column, key, values);
+  for (double& x : times) x -= from.start;
+  const auto read = [&](const std::optional<std::string>& column, const QuantityKey& key) {
+    if (!column) return Schedule{};
+    std::vector<double> values = field_column(t, *column, std::string(key.unit));
+    demand_range(t, *column, key, values);
     return dynamics::make_schedule(dynamics::Interpolation::linear, times, std::move(values));
   };
-  return {read(columns.rotary_speed, motion_keys::rotary_speed),
-          read(columns.block_speed, motion_keys::rate_of_penetration),
-          read(columns.hook_load, top_keys::hook_load), times.back()};
+  return {read(log.rotary_speed, motion_keys::rotary_speed),
+          read(log.block_speed, motion_keys::rate_of_penetration),
+          read(log.hook_load, top_keys::hook_load), times.back()};
 }
 
 double over_step(const Schedule& s, double t, double h) {
@@ -93,43 +81,43 @@ double over_step(const Schedule& s, double t, double h) {
 }  // namespace
 
 RigLog read_rig_log(Config& whole) {
-  Config string = whole.table(chain_keys::table);
-  Config top = string.table(top_keys::table);
-  if (!top.has(rig_log_keys::table)) return {};
-  Config c = top.table(rig_log_keys::table);
+  Config string = whole.table(ChainSettings::table);
+  Config top = string.table(TopSettings::table);
+  if (!top.has(LogSettings::table)) return {};
   const std::size_t mistakes = whole.problem_count();
-  const std::string file = c.read(rig_log_keys::file);
-  const LogColumns columns = read_log_columns(c);
-  if (string.read(chain_keys::model) != StringModel::chain)
-    c.problem(rig_log_keys::file, "a log of the rig without string.model = \"chain\"",
-              "none, or that model");
-  check_columns(c, columns, top.read(top_keys::axial));
+  const auto settings = read_table<LogSettings>(top);
+  Config c = top.table(LogSettings::table);
+  if (read_string_model(string) != StringModel::chain)
+    c.problem("file", "a log of the rig without string.model = \"chain\"", "none, or that model");
+  FieldReader reader(top);
+  TopSettings drive;
+  drive.visit_axial(reader);
+  check_columns(c, settings, drive.top.axial);
   RigLog log;
   try {
-    if (whole.problem_count() == mistakes) log = schedules_of(c, file, columns);
+    if (whole.problem_count() == mistakes) log = schedules_of(c, settings);
   } catch (const InputError& e) {
     whole.other_file(e.what());
   }
-  if (c.has(rig_log_keys::start) && whole.problem_count() != mistakes)
-    c.read(rig_log_keys::start, 0.0);
+  LogStart unused;
+  if (c.has("start") && whole.problem_count() != mistakes) read_fields(c, unused);
   return log;
 }
 
 void check_rig_log(Config& whole, const RigLog& log, double duration) {
   constexpr double rounding = 1e-9;
   if (duration <= log.end * (1.0 + rounding)) return;
-  whole.table(chain_keys::table)
-      .table(top_keys::table)
-      .table(rig_log_keys::table)
-      .problem(rig_log_keys::file,
-               fmt::format("{:.6g} s of a log for a run of {:.6g} s", log.end, duration),
+  whole.table(ChainSettings::table)
+      .table(TopSettings::table)
+      .table(LogSettings::table)
+      .problem("file", fmt::format("{:.6g} s of a log for a run of {:.6g} s", log.end, duration),
                "a log that lasts as long as the run");
 }
 
 void refuse_logged(Config& table, const QuantityKey& key, const Schedule& logged) {
   if (!is_given(logged) || !table.has(key)) return;
-  table.read(key);
-  table.problem(key, "a value beside that of the log", "one of the two: see [string.top.log]");
+  table.problem(key, "a value in addition to that of the log",
+                "one of the two: see [string.top.log]");
 }
 
 string::TopCommand command_of(const RigLog& log, const string::TopCommand& usual, double t,

@@ -1,5 +1,3 @@
-#include "simulation/case/studied_convergence.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,13 +7,14 @@
 
 #include "core/error.hpp"
 #include "core/read_file.hpp"
+#include "simulation/case/run_settings.hpp"
 
 namespace tdbd::simulation {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr double same_size = 1e-9;  ///< relative: a level's size has been divided, and printed
+constexpr double same_size = 1e-9;  ///< relative: the size of a level was divided and printed
 
 Figures figures_of(const Json& state) {
   Figures figures;
@@ -54,7 +53,7 @@ std::vector<double> sizes_of(const StudiedConvergence& study,
   return sizes;
 }
 
-/// The level with these sizes; null: there is none.
+/// Returns the level with these sizes, or null.
 const StudiedConvergence::Level* level_of(const StudiedConvergence& study,
                                           const std::vector<double>& sizes) {
   const auto equal = [](double a, double b) { return std::abs(a - b) <= same_size * std::abs(b); };

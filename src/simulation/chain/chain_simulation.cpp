@@ -6,10 +6,8 @@
 
 #include "core/error.hpp"
 #include "core/hash.hpp"
-#include "simulation/case/chain_doubts.hpp"
-#include "simulation/case/history_rows.hpp"
-#include "simulation/case/rotate_keys.hpp"
-#include "simulation/case/title_key.hpp"
+#include "simulation/case/rotate_settings.hpp"
+#include "simulation/case/run_settings.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -58,13 +56,14 @@ ChainCase read_chain_case(const std::string& path, const std::vector<std::string
   Config c = Config::read_file(path, overrides);
   ChainCase r;
   r.path = path;
-  r.title = c.read(title_keys::title);
-  if (c.has(rotate_time_keys::table)) r.time = read_rotate_time(c.table(rotate_time_keys::table));
+  TitleSettings title;
+  read_fields(c, title);
+  r.title = title.title;
+  if (c.has(RotateTimeSettings::table)) r.time = read_rotate_time(c);
   r.plan = read_chain_plan(c, r.time.step, r.warnings);
   check_rig_log(c, r.plan.log, r.time.step * static_cast<double>(r.time.steps));
-  Config output = c.table(chain_output_keys::table);
-  r.history_every =
-      output.read(chain_output_keys::history_every, usual_history_every(r.time.steps));
+  r.history_every = read_table(c, StringOutput{usual_history_every(r.time.steps)}).history_every;
+  Config output = c.table(StringOutput::table);
   r.output = read_chain_output(output, r.plan.chain, r.time.step);
   c.finish();
   std::ranges::move(chain_warnings(c, {r.plan.string, r.plan.chain, static_loads(r.plan),

@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "simulation/case/chain_statics.hpp"
 #include "simulation/case/read_chain.hpp"
 #include "simulation/rotate/rotate_case.hpp"
 

@@ -109,7 +109,7 @@ std::string lagging_sections(const Case& c, const Simulation& s) {
 std::vector<CaseWarning> end_warnings(const Case& c, const Simulation& s) {
   std::vector<CaseWarning> warnings;
   const auto add = [&](const std::string& text) {
-    warnings.push_back({c.places.motion, std::string(motion_keys::table.name), text});
+    warnings.push_back({c.places.motion, std::string(Motion::table.name), text});
   };
   for (std::size_t i = 0; i < c.bit.parts.size(); ++i)
     if (may_lie_in_rock(c.bit.parts[i]))

@@ -7,7 +7,7 @@
 
 #include "dynamics/drilling/drilling_step.hpp"
 #include "dynamics/drilling/energy_ledger.hpp"
-#include "simulation/case/chain_statics.hpp"
+#include "simulation/case/read_chain.hpp"
 #include "simulation/step/diagnosis.hpp"
 #include "simulation/step/energy_order.hpp"
 #include "simulation/step/simulation.hpp"

@@ -8,7 +8,7 @@
 
 #include "core/config/config.hpp"
 #include "core/error.hpp"
-#include "simulation/case/rotate_keys.hpp"
+#include "simulation/case/rotate_settings.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -28,7 +28,7 @@ fs::path stopped_case(const fs::path& folder, Stopped command) {
         fmt::format("{}: found no case.toml of a run, expected the folder of a run that "
                     "was stopped",
                     folder.string()));
-  const bool rotates = Config::read_file(file.string(), {}).has(body_keys::table);
+  const bool rotates = Config::read_file(file.string(), {}).has(BodySettings::table);
   if (const Stopped found = rotates ? Stopped::rotate : Stopped::run; found != command)
     throw InputError(fmt::format(
         "{}: found a run of tdbd {}, expected one of tdbd {}; to resume it: tdbd {} --resume {}",

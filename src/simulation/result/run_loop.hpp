@@ -14,7 +14,7 @@
 #include "core/error.hpp"
 #include "io/checkpoint.hpp"
 #include "io/whole_file.hpp"
-#include "simulation/case/case_warning.hpp"
+#include "simulation/case/run_settings.hpp"
 #include "simulation/result/summary.hpp"
 
 // The loop over the steps of a case, in memory or into a result folder. All commands share it. Each

@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "simulation/case/case_warning.hpp"
-#include "simulation/case/studied_convergence.hpp"
+#include "simulation/case/run_settings.hpp"
 #include "simulation/result/figures.hpp"
 #include "simulation/step/drive.hpp"
 #include "simulation/step/load_figures.hpp"

@@ -5,14 +5,13 @@
 #include <cmath>
 
 #include "bit/bit.hpp"
-#include "bit/files/part_keys.hpp"
-#include "bit/files/unit_question.hpp"
+#include "bit/files/file_checks.hpp"
 #include "core/error.hpp"
 #include "core/tolerance.hpp"
 #include "dynamics/momenta.hpp"
 #include "mesh/files/files.hpp"
 #include "rotation/screw.hpp"
-#include "simulation/case/rotate_keys.hpp"
+#include "simulation/case/rotate_settings.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -24,34 +23,19 @@ constexpr double most_turned = 1e13;
 
 /// Computes the inertia of a solid of uniform density about its centre of mass, along the axes of
 /// its file.
-Mat3 read_mesh_inertia(Config& c) {
-  const std::string file = c.read(body_keys::mesh);
-  const double density = c.read(body_keys::density);
-  const double unit = c.read(body_keys::unit);
-  if (file.empty()) return Mat3::Identity();
+Mat3 mesh_inertia(Config& c, const BodySettings& s) {
+  if (s.mesh.empty()) return Mat3::Identity();
   try {
-    const mesh::TriangleMesh m = mesh::read_mesh(file, unit);
+    const mesh::TriangleMesh m = mesh::read_mesh(s.mesh, s.unit);
     const std::size_t mistakes = c.problem_count();
-    const std::string mesh_key(body_keys::mesh);
-    bit::report_mesh_faults(c, mesh_key, file, {{"body", m}},
+    bit::report_mesh_faults(c, "mesh", s.mesh, {{"body", m}},
                             "a closed mesh whose triangles face outward");
-    if (c.read(body_keys::unit_check))
-      bit::unit_error(c, std::string(body_keys::unit), m, unit, bit::body_along);
-    if (c.problem_count() == mistakes) return bit::mass_properties(m, density).inertia;
+    if (s.unit_check) bit::unit_error(c, "unit", m, s.unit, bit::body_along);
+    if (c.problem_count() == mistakes) return bit::mass_properties(m, s.density).inertia;
   } catch (const InputError& e) {
-    c.problem(body_keys::mesh, e.what(), "a mesh that can be read");
+    c.problem("mesh", e.what(), "a mesh that can be read");
   }
   return Mat3::Identity();
-}
-
-/// Reads an inertia tensor, or a mesh with a density.
-Mat3 read_inertia(Config& c) {
-  if (!c.has(body_keys::mesh)) return c.read(body_keys::inertia);
-  if (c.has(body_keys::inertia)) {
-    c.read(body_keys::inertia);
-    c.problem(body_keys::inertia, "mesh as well", "one of the two");
-  }
-  return read_mesh_inertia(c);
 }
 
 /// Returns how far a matrix deviates from a rotation.
@@ -61,43 +45,44 @@ double rotation_defect(const Mat3& R) {
 }
 
 /// Reads the attitude, bit to space: a rotation vector or a matrix.
-Mat3 read_attitude(Config& c) {
-  if (!c.has(body_keys::attitude)) {
-    const Vec3 r = c.read(body_keys::rotation_vector);
+Mat3 attitude_of(Config& c, const BodySettings& s) {
+  if (!c.has("attitude")) {
+    const Vec3& r = s.rotation_vector;
     if (r.stableNorm() <= most_turned) return rotation::exp(r);
-    c.problem(body_keys::rotation_vector, fmt::format("an angle of {:.3g} rad", r.stableNorm()),
+    c.problem("rotation_vector", fmt::format("an angle of {:.3g} rad", r.stableNorm()),
               fmt::format("at most {:.0e} rad, beyond which no digit of an attitude is left",
                           most_turned));
     return Mat3::Identity();
   }
-  const Mat3 R = c.read(body_keys::attitude);
-  if (c.has(body_keys::rotation_vector)) {
-    c.read(body_keys::rotation_vector);
-    c.problem(body_keys::attitude, "rotation_vector as well", "one of the two");
-  } else if (const double defect = rotation_defect(R); defect > tolerance::rotation) {
-    c.problem(body_keys::attitude, fmt::format("a matrix that misses a rotation by {:.3g}", defect),
+  if (c.has("rotation_vector")) {
+    c.problem("attitude", "rotation_vector as well", "one of the two");
+  } else if (const double defect = rotation_defect(s.attitude); defect > tolerance::rotation) {
+    c.problem("attitude", fmt::format("a matrix that misses a rotation by {:.3g}", defect),
               fmt::format("a rotation to {}", tolerance::rotation));
     return Mat3::Identity();
   }
-  return R;
+  return s.attitude;
 }
 
-/// Cones and their initial state.
+/// Cones, their initial state and the loads on them.
 struct Cones {
   std::vector<dynamics::Cone> cones;
   std::vector<double> spins, angles;
+  std::vector<dynamics::ConeLoad> loads;
 };
 
 Cones read_cones(Config& c) {
   Cones all;
-  for (Config cone : c.tables(cone_keys::table)) {
-    const Vec3 axis = cone.read(cone_keys::axis);
-    if (!(axis.norm() > 0.0))
-      cone.problem(cone_keys::axis, fmt::format("an axis of length {}", axis.norm()),
-                   "a direction");
-    all.cones.push_back({axis, cone.read(cone_keys::axial_inertia)});
-    all.spins.push_back(cone.read(cone_keys::spin));
-    all.angles.push_back(cone.read(cone_keys::angle));
+  for (Config table : c.tables(ConeSettings::table)) {
+    ConeSettings s;
+    read_fields(table, s);
+    if (!(s.cone.axis_B.norm() > 0.0))
+      table.problem("axis", fmt::format("an axis of length {}", s.cone.axis_B.norm()),
+                    "a direction");
+    all.cones.push_back(s.cone);
+    all.spins.push_back(s.spin);
+    all.angles.push_back(s.angle);
+    all.loads.push_back(s.load);
   }
   return all;
 }
@@ -139,11 +124,12 @@ void report_infinite_energy(Config& c, const dynamics::Gyrostat& body, const Vec
 
 BodyStart read_body_start(Config& c) {
   const std::size_t mistakes = c.problem_count();
-  Config body = c.table(body_keys::table);
-  const Mat3 inertia = read_inertia(body);
-  const InertiaCheck check = body.read(body_keys::check);
-  const Mat3 R_WB = read_attitude(body);
-  const Vec3 w_B = body.read(body_keys::angular_velocity);
+  const auto settings = read_table<BodySettings>(c);
+  Config body = c.table(BodySettings::table);
+  const Mat3 inertia = body.has("mesh") ? mesh_inertia(body, settings) : settings.inertia;
+  const InertiaCheck check = settings.check;
+  const Mat3 R_WB = attitude_of(body, settings);
+  const Vec3& w_B = settings.angular_velocity;
   const Cones cones = read_cones(c);
   if (c.problem_count() != mistakes) return {};
   if (const std::string why = dynamics::inertia_problem(inertia, cones.cones, check);
@@ -151,7 +137,7 @@ BodyStart read_body_start(Config& c) {
     report_inertia_problem(c, why, inertia, cones.cones, check);
     return {};
   }
-  BodyStart start{dynamics::make_gyrostat(inertia, cones.cones, check), {}};
+  BodyStart start{dynamics::make_gyrostat(inertia, cones.cones, check), {}, cones.loads};
   start.state = dynamics::make_state(start.body, R_WB, w_B, cones.spins, cones.angles);
   if (!std::isfinite(dynamics::kinetic_energy(start.body, start.state)))
     report_infinite_energy(c, start.body, w_B, cones.spins);

@@ -4,6 +4,7 @@
 
 #include "core/config/config.hpp"
 #include "dynamics/gyrostat.hpp"
+#include "dynamics/loads.hpp"
 
 namespace tdbd::simulation {
 
@@ -11,6 +12,7 @@ namespace tdbd::simulation {
 struct BodyStart {
   dynamics::Gyrostat body;
   dynamics::RotationState state;
+  std::vector<dynamics::ConeLoad> cone_loads;  ///< one for each cone
 };
 
 /// Reads [body] and [[cones]] of a case and makes the gyrostat. Mistakes are recorded in `c`; the

@@ -6,9 +6,8 @@
 #include <cmath>
 
 #include "core/hash.hpp"
-#include "simulation/case/history_rows.hpp"
-#include "simulation/case/rotate_keys.hpp"
-#include "simulation/case/title_key.hpp"
+#include "simulation/case/rotate_settings.hpp"
+#include "simulation/case/run_settings.hpp"
 #include "simulation/rotate/rotate_body.hpp"
 #include "simulation/rotate/rotate_loads.hpp"
 
@@ -16,44 +15,32 @@ namespace tdbd::simulation {
 namespace {
 
 using dynamics::Drift;
-using dynamics::VelocityTorque;
 
 /// Relative tolerance, in steps, within which a duration is a whole number of steps.
 constexpr double whole_steps = 1e-6;
 
-dynamics::Integrator read_integrator(Config c) {
-  using namespace integrator_keys;
-  dynamics::Integrator i;
-  i.drift = c.read(drift);
-  i.drifts_per_step = static_cast<int>(c.read(drifts_per_step));
-  i.order = static_cast<int>(c.read(order));
-  if (i.order % 2 != 0) c.problem(order, fmt::format("{}", i.order), "2, 4, 6 or 8");
-  // Only the symmetric treatment allows compositions of higher order.
-  const auto usual = i.order == 2 ? VelocityTorque::predicted : VelocityTorque::symmetric;
-  i.velocity_torque = c.read(velocity_torque, std::optional(usual));
+dynamics::Integrator read_integrator(Config& whole) {
+  const dynamics::Integrator i = read_table<IntegratorSettings>(whole).integrator;
+  if (i.order % 2 != 0)
+    whole.table(IntegratorSettings::table)
+        .problem("order", fmt::format("{}", i.order), "2, 4, 6 or 8");
   return i;
-}
-
-void read_rotate_output(Config c, RotateCase& r) {
-  using namespace rotate_output_keys;
-  r.history_every = c.read(history_every, usual_history_every(r.time.steps));
-  if (c.has(checkpoint_every.name)) r.checkpoint_every = c.read(checkpoint_every);
 }
 
 }  // namespace
 
-RotateTime read_rotate_time(Config c) {
+RotateTime read_rotate_time(Config& whole) {
   constexpr double most_steps = 1e15;
-  RotateTime t;
-  t.step = c.read(rotate_time_keys::step);
-  t.duration = c.read(rotate_time_keys::duration);
-  if (!c.has(rotate_time_keys::step) || !c.has(rotate_time_keys::duration)) return t;
+  const auto settings = read_table<RotateTimeSettings>(whole);
+  Config c = whole.table(RotateTimeSettings::table);
+  RotateTime t{settings.step, settings.duration};
+  if (!c.has("step") || !c.has("duration")) return t;
   const double ratio = t.duration / t.step;
   if (ratio < 1.0 - whole_steps)
-    c.problem(rotate_time_keys::step, fmt::format("{} s for a run of {} s", t.step, t.duration),
+    c.problem("step", fmt::format("{} s for a run of {} s", t.step, t.duration),
               "at most the duration");
   if (ratio > most_steps)
-    c.problem(rotate_time_keys::step, fmt::format("{} s, which makes {:.3g} steps", t.step, ratio),
+    c.problem("step", fmt::format("{} s, which makes {:.3g} steps", t.step, ratio),
               fmt::format("at most {} steps", most_steps));
   t.steps = std::lround(std::clamp(ratio, 1.0, most_steps));
   if (std::abs(ratio - static_cast<double>(t.steps)) <= whole_steps) return t;
@@ -63,25 +50,31 @@ RotateTime read_rotate_time(Config c) {
 }
 
 std::string drift_name(Drift drift) {
-  for (const auto& named : integrator_keys::drift.values)
+  for (const auto& named : IntegratorSettings::drifts)
     if (named.value == drift && !named.name.empty()) return std::string(named.name);
   return "";
 }
 
 bool is_rotate_case(const std::string& path) {
-  return Config::read_file(path, {}).has(body_keys::table);
+  return Config::read_file(path, {}).has(BodySettings::table);
 }
 
 RotateCase read_rotate_case(const std::string& path, const std::vector<std::string>& overrides) {
   Config c = Config::read_file(path, overrides);
   RotateCase r;
   r.path = path;
-  r.title = c.read(title_keys::title);
+  TitleSettings title;
+  read_fields(c, title);
+  r.title = title.title;
   BodyStart start = read_body_start(c);
   r.loads = read_loads(c);
-  r.integrator = read_integrator(c.table(integrator_keys::table));
-  r.time = read_rotate_time(c.table(rotate_time_keys::table));
-  read_rotate_output(c.table(rotate_output_keys::table), r);
+  r.loads.cones = std::move(start.cone_loads);
+  r.integrator = read_integrator(c);
+  r.time = read_rotate_time(c);
+  const auto output =
+      read_table(c, RotateOutput{.history_every = usual_history_every(r.time.steps)});
+  r.history_every = output.history_every;
+  r.checkpoint_every = output.checkpoint_every;
   c.finish();
   r.body = std::move(start.body);
   r.start = std::move(start.state);

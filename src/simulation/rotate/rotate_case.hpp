@@ -18,9 +18,9 @@ struct RotateTime {
   long steps = 0;
 };
 
-/// Reads a table [time]. If the given step does not divide the duration, the next shorter one that
-/// does is used. Records mistakes.
-RotateTime read_rotate_time(Config c);
+/// Reads [time]. If the given step does not divide the duration, the next shorter one that does is
+/// used. Records mistakes.
+RotateTime read_rotate_time(Config& whole);
 
 /// A checked case of rotational dynamics in SI: the input of `tdbd rotate`. Thesis: 5.1 to 5.5.
 struct RotateCase {

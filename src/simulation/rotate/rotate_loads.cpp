@@ -4,7 +4,7 @@
 
 #include "core/config/csv.hpp"
 #include "core/error.hpp"
-#include "simulation/case/rotate_keys.hpp"
+#include "simulation/case/rotate_settings.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -12,42 +12,28 @@ namespace {
 using dynamics::TorqueFrame;
 
 /// Reads the direction of the arm and normalizes it.
-Vec3 read_arm(Config& c) {
-  const VectorKey& key = load_keys::gravity_arm;
-  const Vec3 v = c.read(key);
+Vec3 unit_arm(Config& c, const Vec3& v) {
   if (v.norm() > 0.0) return v.stableNormalized();
-  c.problem(key, fmt::format("an arm of length {}", v.norm()), "a direction");
+  c.problem("gravity_arm", fmt::format("an arm of length {}", v.norm()), "a direction");
   return Vec3::UnitZ();
 }
 
 /// Reads three numbers, which must not be negative.
-Vec3 read_coefficients(Config& c, const VectorKey& key) {
-  const Vec3 v = c.read(key);
+void check_coefficients(Config& c, const char* key, const Vec3& v) {
   if ((v.array() < 0.0).any())
     c.problem(key, fmt::format("{}", v.minCoeff()), "numbers that are not negative");
-  return v;
 }
 
-dynamics::HarmonicTorque read_harmonic(Config c) {
-  using namespace harmonic_keys;
-  return {c.read(frame), c.read(amplitude), c.read(angular_frequency), c.read(phase)};
-}
-
-dynamics::SampledTorque read_samples(Config c) {
-  const TorqueFrame frame = c.read(sample_keys::frame);
-  const std::string file = c.read(sample_keys::file);
-  if (file.empty()) return {};
+dynamics::SampledTorque read_samples(Config& c) {
+  SampleSettings s;
+  read_fields(c, s);
+  if (s.file.empty()) return {};
   try {
-    return read_torque_samples(file, frame);
+    return read_torque_samples(s.file, s.frame);
   } catch (const InputError& e) {
     c.other_file(e.what());
     return {};
   }
-}
-
-dynamics::ConeLoad read_cone_load(Config c) {
-  using namespace cone_keys;
-  return {c.read(torque), c.read(external_torque), c.read(damping)};
 }
 
 }  // namespace
@@ -71,17 +57,17 @@ dynamics::SampledTorque read_torque_samples(const std::string& file, TorqueFrame
 }
 
 dynamics::Loads read_loads(Config& c) {
-  Config load = c.table(load_keys::table);
-  dynamics::Loads l;
-  l.body_torque_B = load.read(load_keys::body_torque);
-  l.space_torque_W = load.read(load_keys::space_torque);
-  l.gravity_moment = load.read(load_keys::gravity_moment);
-  l.gravity_arm_B = read_arm(load);
-  l.stiffness_W = read_coefficients(load, load_keys::stiffness);
-  l.damping_W = read_coefficients(load, load_keys::damping);
-  for (Config& h : load.tables(harmonic_keys::table)) l.harmonics.push_back(read_harmonic(h));
-  for (Config& s : load.tables(sample_keys::table)) l.samples.push_back(read_samples(s));
-  for (Config& cone : c.tables(cone_keys::table)) l.cones.push_back(read_cone_load(cone));
+  dynamics::Loads l = read_table<LoadSettings>(c).loads;
+  Config load = c.table(LoadSettings::table);
+  l.gravity_arm_B = unit_arm(load, l.gravity_arm_B);
+  check_coefficients(load, "stiffness", l.stiffness_W);
+  check_coefficients(load, "damping", l.damping_W);
+  for (Config& table : load.tables(HarmonicSettings::table)) {
+    HarmonicSettings harmonic;
+    read_fields(table, harmonic);
+    l.harmonics.push_back(harmonic.torque);
+  }
+  for (Config& table : load.tables(SampleSettings::table)) l.samples.push_back(read_samples(table));
   return l;
 }
 

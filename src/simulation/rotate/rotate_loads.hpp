@@ -5,7 +5,7 @@
 
 namespace tdbd::simulation {
 
-/// Reads [load] of a rotate case and the torques of its [[cones]]. Mistakes are recorded in `c`.
+/// Reads [load] of a rotate case, without the torques of its cones. Mistakes are recorded in `c`.
 /// Thesis: 5.2.2.
 dynamics::Loads read_loads(Config& c);
 

@@ -123,7 +123,7 @@ double gap_along_path(const Case& c, const mesh::Surface& rock) {
 std::vector<CaseWarning> reach_warnings(const Case& c, const mesh::Surface& rock) {
   const double gap = gap_along_path(c, rock);
   if (gap == 0.0) return {};
-  return {{c.places.motion, std::string(motion_keys::table.name),
+  return {{c.places.motion, std::string(Motion::table.name),
            fmt::format("the bit stays {:.3g} m or more from the rock and cuts nothing", gap)}};
 }
 

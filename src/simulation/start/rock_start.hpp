@@ -7,7 +7,7 @@
 #include "mesh/surface.hpp"
 #include "rock/rock.hpp"
 #include "simulation/case/case.hpp"
-#include "simulation/case/case_warning.hpp"
+#include "simulation/case/run_settings.hpp"
 
 namespace tdbd::simulation {
 

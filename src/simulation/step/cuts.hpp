@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "forces/part/part_cut.hpp"
-#include "simulation/case/plans.hpp"
+#include "simulation/case/force_settings.hpp"
 #include "simulation/step/measure.hpp"
 
 namespace tdbd::simulation {

@@ -35,7 +35,7 @@ std::vector<double> rolling_speeds(const Case& c, long steps_done, const rock::C
   const rotation::Twist twist =
       rotation::twist_from(pose_at(c.motion, time_at(c.time, steps_done)),
                            pose_at(c.motion, time_at(c.time, steps_done + 1)), dt);
-  const double fading = c.motion.cone_memory > 0.0 ? std::exp(-dt / c.motion.cone_memory) : 0.0;
+  const double fading = c.motion.cones.memory > 0.0 ? std::exp(-dt / c.motion.cones.memory) : 0.0;
   const std::vector<double> angles = middle_angles(cones, dt);
   std::vector<double> speeds;
   for (std::size_t k = 0; k < cones.size(); ++k) {
@@ -89,7 +89,7 @@ std::vector<bit::ConeContact> contacts_of(const bit::Bit& bit, int cone,
 
 void turn_cones(const Case& c, long steps_done, const rock::CutReport& cut,
                 std::vector<ConeState>& cones) {
-  if (c.motion.cone_drive == ConeDrive::rolling) {
+  if (c.motion.cones.drive == ConeDrive::rolling) {
     const std::vector<double> speeds = rolling_speeds(c, steps_done, cut, cones);
     for (std::size_t k = 0; k < cones.size(); ++k) {
       set_angle(cones[k], cones[k].angle + c.time.step * speeds[k]);

@@ -70,9 +70,9 @@ std::vector<bit::ConeContact> contacts_of(const bit::Bit& bit, int cone,
 /// angles are those of cone_angles(). A rolling cone has the speed, simulation (2),
 ///   phi' = e (-i w) + (1 - e) phi'_balance,     phi'_balance = - M / D     (bit::slip_balance) [+]
 /// M and D are sums over the contacts of `cut`, which is the previous step, and of all earlier
-/// steps, faded by exp(-age / cone_memory). -i w is the pure rolling of the gage row; its share e
-/// is 1 until the first contact and fades in the same way from then on. Without contacts a cone
-/// keeps its speed.
+/// steps, faded by exp(-age / motion.cone_memory). -i w is the pure rolling of the gage row; its
+/// share e is 1 until the first contact and fades in the same way from then on. Without contacts a
+/// cone keeps its speed.
 void turn_cones(const Case& c, long steps_done, const rock::CutReport& cut,
                 std::vector<ConeState>& cones);
 

@@ -11,7 +11,7 @@
 #include "rock/section/rubbing_contact.hpp"
 #include "rock/section/section.hpp"
 #include "rotation/screw.hpp"
-#include "simulation/case/plans.hpp"
+#include "simulation/case/force_settings.hpp"
 
 namespace tdbd::simulation {
 

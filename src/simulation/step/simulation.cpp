@@ -88,19 +88,6 @@ double trim(double edge_length, double plane_W, const rock::MaintenanceLimits& l
 
 namespace {
 
-rock::MaintenanceLimits limits_of(const Case& c) {
-  rock::MaintenanceLimits l = rock::limits_for(c.rock.edge_length);
-  rock::set_shortest_edge(l, c.maintenance.shortest_edge * c.rock.edge_length);
-  l.longest_edge = c.maintenance.longest_edge * c.rock.edge_length;
-  l.rest = static_cast<int>(c.maintenance.rest);
-  l.longest_wait = static_cast<int>(c.maintenance.longest_wait);
-  l.worst_quality = c.maintenance.worst_quality;
-  l.flip_quality = c.maintenance.flip_quality;
-  l.smoothing = c.maintenance.smoothing;
-  l.smooth_quality = c.maintenance.smooth_quality;
-  return l;
-}
-
 State start_state(const Case& c, rock::Rock rock) {
   State s;
   s.steps_done = c.time.first;
@@ -136,7 +123,7 @@ void prepare_parts(const Case& c, const State& state, const bit::Bit& bit, rock:
 
 Work start_work(const Case& c, const State& state, rock::CuttingBit cutting) {
   Work w;
-  w.limits = limits_of(c);
+  w.limits = rock::limits_for(c.rock.edge_length, c.maintenance);
   w.trim_height = trim_height(c);
   prepare_parts(c, state, state.started.empty() ? c.bit : started_bit(c.bit, state.started),
                 std::move(cutting), w);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/config/config.hpp"
+#include "core/config/key_table.hpp"
 
 namespace tdbd::sweep {
 
@@ -31,6 +32,46 @@ struct Interval {
   Scale scale = Scale::linear;
 };
 
+/// [[factors]].
+struct FactorSettings {
+  std::string key;
+  std::vector<ConfigWord> values;
+  ConfigWord from, to;
+  long count = 0;  ///< 0: the factor is sampled
+  Scale scale = Scale::linear;
+
+  static constexpr TableKey table{"factors", "a key of the case that varies", Repeats::yes};
+  void visit(FieldVisitor& v) {
+    v(key, {.name = "key", .need = Need::required, .meaning = "dotted, as in --set"});
+    const bool listed = v.gives("values");
+    if (v.when(listed)) {
+      v(values, {.name = "values",
+                 .need = Need::required,
+                 .usual = "required without from and to",
+                 .meaning = "the levels, each a value of the key"});
+    }
+    if (v.when(!listed && (v.gives("from") || v.gives("to")))) {
+      v(from, {.name = "from",
+               .need = Need::required,
+               .usual = "required without values",
+               .meaning = "the lowest level, or the lower end of samples"});
+      v(to, {.name = "to",
+             .need = Need::required,
+             .usual = "required with from",
+             .meaning = "the highest, in the unit of from"});
+      v(count, {.name = "count",
+                .need = Need::optional,
+                .usual = "none: the factor is sampled",
+                .lo = 2,
+                .hi = 4'000'000'000,
+                .meaning = "of levels, both ends included"});
+      v(scale, {.name = "scale",
+                .values = {{{"linear", Scale::linear}, {"log", Scale::log}}},
+                .meaning = "scale on which levels or samples are evenly spaced"});
+    }
+  }
+};
+
 /// A key of the case that varies: over levels, or within an interval.
 struct Factor {
   std::string key;
@@ -44,13 +85,41 @@ enum class Sense { smaller, larger };
 struct Goal {
   std::string figure;
   Sense sense = Sense::smaller;
+
+  static constexpr TableKey table{"goals", "an objective of the non-dominated front", Repeats::yes};
+  void visit(FieldVisitor& v) {
+    v(figure, {.name = "figure", .need = Need::required, .meaning = "one of sweep.figures"});
+    v(sense, {.name = "better",
+              .values = {{{"smaller", Sense::smaller}, {"larger", Sense::larger}}},
+              .meaning = "which of two values is preferred"});
+  }
 };
+
+/// Largest number of points that is allowed.
+inline constexpr long most_points = 10'000'000;
 
 /// A filter: the planar model evaluates all points, and only the best ones are run.
 struct Filter {
   Goal goal;      ///< a value computed by the command planar
   long keep = 1;  ///< number of points
+
+  static constexpr TableKey table{
+      "filter", "all points are evaluated with the planar model, and only the best are run"};
+  void visit(FieldVisitor& v) {
+    v(goal.figure, {.name = "figure", .need = Need::required, .meaning = "of the command planar"});
+    v(goal.sense, {.name = "better",
+                   .values = {{{"smaller", Sense::smaller}, {"larger", Sense::larger}}},
+                   .meaning = "which of two values is preferred"});
+    v(keep, {.name = "keep",
+             .need = Need::required,
+             .lo = 1,
+             .hi = most_points,
+             .meaning = "points that are run"});
+  }
 };
+
+/// Whether a design has a table [filter].
+enum class HasFilter { no, yes };
 
 /// A sweep: every combination of levels with every sample.
 struct Design {
@@ -65,13 +134,51 @@ struct Design {
   std::vector<std::string>
       figures;  ///< numbers of the summary, dotted: "wob_mean_n", "sections.0.mean_area_m2"
   std::vector<Goal> goals;    ///< objectives of the non-dominated front
-  double penetration = 0.0;   ///< m per revolution; for the command bit
+  double penetration = 5e-3;  ///< m per revolution; for the command bit
   double normal_ratio = 0.8;  ///< normal over cutting force; for the planar model
   std::optional<Filter> filter;
+
+  static constexpr TableKey table{"sweep", "what is done at each point"};
+  void visit(FieldVisitor& v, HasFilter has_filter = HasFilter::yes) {
+    v.path(case_file, {.name = "case",
+                       .need = Need::required,
+                       .meaning = "the case (TOML); of the command bit a bit file"});
+    v(command, {.name = "command",
+                .values = {{{"run", Command::run},
+                            {"rotate", Command::rotate},
+                            {"calibrate", Command::calibrate},
+                            {"bit", Command::bit},
+                            {"planar", Command::planar}}},
+                .meaning = "that takes the case"});
+    v(figures, {.name = "figures",
+                .need = Need::required,
+                .meaning = "numbers of the command's summary, dotted: \"wob_mean_n\""});
+    v(sampling, {.name = "sampling",
+                 .values = {{{"none", Sampling::none},
+                             {"latin-hypercube", Sampling::latin_hypercube},
+                             {"sobol", Sampling::sobol}}},
+                 .meaning = "of the factors with from and to but no count"});
+    v(samples, {.name = "samples",
+                .lo = 1,
+                .hi = 4'000'000'000,
+                .meaning = "at each combination of levels"});
+    v(seed, {.name = "seed", .lo = 0, .hi = 2'147'483'647, .meaning = "of latin-hypercube"});
+    if (v.when(command == Command::bit)) {
+      v(penetration, {.name = "penetration",
+                      .unit = "m",
+                      .range = Range::positive(),
+                      .meaning = "per revolution, of the command bit"});
+    }
+    if (v.when(command == Command::planar || has_filter == HasFilter::yes)) {
+      v(normal_ratio, {.name = "normal_ratio",
+                       .range = Range::positive(),
+                       .meaning = "normal over cutting force, of the planar model"});
+    }
+  }
 };
 
-/// Largest number of points that is allowed.
-inline constexpr long most_points = 10'000'000;
+/// Returns the tables of a design, for `tdbd keys --design`.
+std::vector<KeyTable> design_tables();
 
 /// Reads a design. Throws InputError that lists every mistake: file, line, key, found, expected.
 Design read_design(const std::string& file);

@@ -7,6 +7,22 @@
 
 namespace tdbd::sweep {
 
+/// Returns a word together with its number and unit, if it has them.
+Level level_of(const ConfigWord& word);
+
+/// Returns a number with a unit as a level: "7.5 mm".
+Level level_at(double number, const std::string& unit);
+
+/// Returns the interval of a factor with from and to. Records mistakes: ends that are not numbers,
+/// have different units, or are not allowed on a logarithmic scale.
+Interval interval_of(Config& factor, const FactorSettings& settings);
+
+/// Returns the position at a fraction u of the interval, 0 <= u <= 1. The ends are exact.
+double place_in(const Interval& i, double u);
+
+/// Returns evenly spaced levels, including both ends. `count`: at least two.
+std::vector<Level> levels_in(const Interval& i, long count);
+
 /// Largest number of dimensions for which GSL has direction numbers.
 inline constexpr long most_sobol_dimensions = 40;
 

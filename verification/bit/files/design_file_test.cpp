@@ -1,5 +1,3 @@
-#include "bit/files/design_file.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,8 +9,8 @@
 
 #include "bit/files/bit_export.hpp"
 #include "bit/files/bit_reading.hpp"
-#include "bit/files/blade_file.hpp"
 #include "bit/files/mesh_bit.hpp"
+#include "bit/files/pdc_file.hpp"
 #include "bit/report/body_report.hpp"
 #include "core/error.hpp"
 #include "mesh/check/check.hpp"

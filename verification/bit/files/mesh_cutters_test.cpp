@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "bit/cutter/cutter.hpp"
-#include "bit/files/adjust_file.hpp"
 #include "bit/files/bit_export.hpp"
 #include "bit/files/bit_file.hpp"
 #include "bit/files/bit_reading.hpp"
+#include "bit/files/file_checks.hpp"
 #include "bit/files/mesh_bit.hpp"
-#include "bit/files/unit_question.hpp"
+#include "bit/files/pdc_file.hpp"
 #include "bit/generate.hpp"
 #include "core/error.hpp"
 #include "core/types.hpp"

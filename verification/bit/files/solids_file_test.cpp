@@ -7,7 +7,6 @@
 #include "bit/files/bit_export.hpp"
 #include "bit/files/bit_reading.hpp"
 #include "bit/files/mesh_bit.hpp"
-#include "bit/files/solid_rules.hpp"
 #include "core/error.hpp"
 #include "mesh/files/solids.hpp"
 #include "verification/battery/shapes.hpp"

@@ -1,8 +1,7 @@
-#include "calibration/case/calibration_tables.hpp"
-
 #include <gtest/gtest.h>
 
-#include "calibration/laboratory/laboratory_tables.hpp"
+#include "calibration/case/calibration_case.hpp"
+#include "calibration/laboratory/laboratory.hpp"
 #include "core/read_file.hpp"
 
 namespace tdbd::calibration::calibration_tables_test {

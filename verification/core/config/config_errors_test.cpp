@@ -112,10 +112,10 @@ TEST(ConfigErrors, a_length_or_time_out_of_its_range_asks_for_its_unit) {
   };
   const std::string metres = "expected length in m, in [1e-05, 0.1]";
   EXPECT_EQ(told("m", "2.5"), "x.toml:1: x: found 2.5, " + metres +
-                                  "; without a unit it counts in m: is \"2.5 mm\" meant?");
+                                  "; without a unit it is in m: did you mean \"2.5 mm\"?");
   EXPECT_EQ(told("s", "100"),
-            "x.toml:1: x: found 100, expected time in s, in [1e-05, 0.1]; without a unit it counts "
-            "in s: is \"100 ms\" meant?");
+            "x.toml:1: x: found 100, expected time in s, in [1e-05, 0.1]; without a unit it is "
+            "in s: did you mean \"100 ms\"?");
   for (const std::string other : {"101", "-2.5", "\"2.5 m\""})
     EXPECT_EQ(told("m", other), "x.toml:1: x: found " + other + ", " + metres);
   EXPECT_EQ(told("kg", "2.5"), "x.toml:1: x: found 2.5, expected mass in kg, in [1e-05, 0.1]");

@@ -16,9 +16,8 @@ constexpr QuantityKey length{.name = "length",
                              .unit = "m",
                              .fallback = 0.5,
                              .range = Range::positive(),
-                             .meaning = "of the chuck",
-                             .former = {"size", "extent"}};
-constexpr QuantityKey mass{.name = "mass", .unit = "kg", .meaning = "of it", .former = {"weight"}};
+                             .meaning = "of the chuck"};
+constexpr QuantityKey mass{.name = "mass", .unit = "kg", .meaning = "of it"};
 constexpr QuantityKey ramp{
     .name = "ramp", .unit = "s", .usual = "one turn", .meaning = "until full"};
 constexpr VectorKey place{.name = "place", .unit = "m", .fallback = {{0.0, 0.0, 1.0}}};
@@ -91,50 +90,6 @@ TEST(Key, is_required_without_a_default) {
             "1: steel: found nothing, expected one of mild, hard (the key is required)");
 }
 
-/// Whatever kind of value it had.
-TEST(Key, of_every_kind_tells_a_former_name) {
-  const auto told = [](const auto& key) {
-    Config c = config_of("old = 1\n");
-    if constexpr (requires { c.read(key); })
-      c.read(key);
-    else
-      c.read(key, std::nullopt);
-    return problems_of(c);
-  };
-  const std::string expected = "1: old: found \"old\", expected its new name \"new\"";
-  EXPECT_EQ(told(QuantityKey{.name = "new", .unit = "m", .fallback = 1.0, .former = {"old"}}),
-            expected);
-  EXPECT_EQ(told(VectorKey{.name = "new", .unit = "m", .fallback = {{0, 0, 0}}, .former = {"old"}}),
-            expected);
-  EXPECT_EQ(told(IntegerKey{.name = "new", .fallback = 1, .former = {"old"}}), expected);
-  EXPECT_EQ(told(FlagKey{.name = "new", .fallback = false, .former = {"old"}}), expected);
-  EXPECT_EQ(told(TextKey{.name = "new", .fallback = "", .former = {"old"}}), expected);
-  EXPECT_EQ(told(PathKey{.name = "new", .former = {"old"}}), expected);
-  EXPECT_EQ(told(NameKey{.name = "new", .names = &steel_names, .former = {"old"}}), expected);
-  Config c = config_of("old = 1\n");
-  c.read(ListKey{.name = "new", .unit = "m", .former = {"old"}}, std::vector<double>{});
-  EXPECT_EQ(problems_of(c), expected);
-  c = config_of("old = 1\n");
-  c.read(PairsKey{.name = "new", .unit = "m", .former = {"old"}},
-         std::vector<std::pair<double, double>>{});
-  EXPECT_EQ(problems_of(c), expected);
-  c = config_of("old = 1\n");
-  c.read(MatrixKey{.name = "new", .unit = "m", .former = {"old"}}, Mat3(Mat3::Identity()));
-  EXPECT_EQ(problems_of(c), expected);
-  c = config_of("old = 1\n");
-  c.read(TextsKey{.name = "new", .former = {"old"}}, std::vector<std::string>{});
-  EXPECT_EQ(problems_of(c), expected);
-}
-
-TEST(Key, tells_a_former_name_the_new_one) {
-  Config c = config_of("[chuck]\nweight = 3\n");
-  c.table("chuck").read(mass);
-  EXPECT_EQ(problems_of(c), "2: chuck.weight: found \"weight\", expected its new name \"mass\"");
-  Config other = config_of("extent = 2\n");
-  other.read(length);
-  EXPECT_EQ(problems_of(other), "1: extent: found \"extent\", expected its new name \"length\"");
-}
-
 TEST(Key, is_described_in_words) {
   const auto words = [](const KeyRow& r) {
     return r.name + "|" + r.kind + "|" + r.fallback + "|" + r.allowed + "|" + r.meaning;
@@ -149,9 +104,9 @@ TEST(Key, is_described_in_words) {
   EXPECT_EQ(words(row(label)), "label|text|\"none\"||for the report");
   EXPECT_EQ(words(row(shape)), "shape|one of|\"square\"|round, square|of the jaws");
   EXPECT_EQ(words(row(steel)), "steel|one of|required|mild, hard|what it is made of");
-  EXPECT_EQ(words(row(WordKey{"from", "none", "where it begins"})),
+  EXPECT_EQ(words(row(WordKey{.name = "from", .usual = "none", .meaning = "where it begins"})),
             "from|value with unit|none||where it begins");
-  EXPECT_EQ(words(row(WordsKey{"levels", {}, "all of them"})),
+  EXPECT_EQ(words(row(WordsKey{.name = "levels", .meaning = "all of them"})),
             "levels|list of values|required||all of them");
   EXPECT_EQ(words(row(AnyKey{"KEY", "as in the drill", "the drill's", "any of its keys"})),
             "KEY|as in the drill|the drill's||any of its keys");

@@ -18,6 +18,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
+#include "verification/rock/maintain/bare_limits.hpp"
 
 namespace tdbd::rock::check_operation_test {
 
@@ -56,7 +57,7 @@ TEST(CheckOperation, finds_nothing_wrong_with_a_collapse_but_its_volume) {
   for (const int v : {a, b})
     around.insert(around.end(), s.ring(s.star(v)), s.ring(s.star(v)) + s.star(v).size);
   const LocalState before = local_state(s, around);
-  MaintenanceLimits limits = limits_for(1.0);
+  MaintenanceLimits limits = bare_limits_for(1.0);
   limits.volume_per_operation = limits.farthest = limits.ridge_cut = 1.0;
   SurfaceDrift drift;
   MaintenanceReport report;
@@ -175,7 +176,7 @@ std::optional<Refusal> judge_all_distances(const mesh::Surface& s, int a, int b,
 RC_GTEST_PROP(CollapseDistance, is_that_from_every_triangle, ()) {
   Rock rock = rock_of(any_sheet(*battery::number(0.1, 1.2)));
   const mesh::Surface& s = rock.surface;
-  MaintenanceLimits l = limits_for(0.9);
+  MaintenanceLimits l = bare_limits_for(0.9);
   l.farthest = *battery::number(0.0, 0.3);
   l.ridge_cut = *battery::number(0.0, 0.1);
   for (int c = *battery::integer(0, 12); c < 3 * s.triangle_slots(); c += 13) {

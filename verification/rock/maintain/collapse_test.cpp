@@ -16,6 +16,7 @@
 #include "rock/maintain/maintain.hpp"
 #include "verification/mesh/random_edit.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
+#include "verification/rock/maintain/bare_limits.hpp"
 
 namespace tdbd::rock::collapse_test {
 
@@ -36,7 +37,7 @@ Rock roof() {
 }
 
 MaintenanceLimits limits() {
-  MaintenanceLimits l = limits_for(h);
+  MaintenanceLimits l = bare_limits_for(h);
   l.volume_per_operation = 1.0;
   return l;
 }
@@ -119,7 +120,7 @@ double longest_at(const std::vector<mesh::Facet>& facets, const Vec3& x_W) {
 
 /// Everything is allowed but what a test takes back.
 MaintenanceLimits lax() {
-  MaintenanceLimits l = limits_for(h);
+  MaintenanceLimits l = bare_limits_for(h);
   l.longest_edge = l.volume_per_operation = l.farthest = l.ridge_cut = 1e3;
   l.least_normal_cosine = -1.0;
   l.steepest_overhang = 2.0;

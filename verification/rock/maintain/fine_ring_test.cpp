@@ -15,6 +15,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
+#include "verification/rock/maintain/bare_limits.hpp"
 
 namespace tdbd::rock::fine_ring_test {
 
@@ -31,7 +32,7 @@ Cut any_cut() {
   CutReport report;
   cut_rock(c.rock, prepare_cutting_bit(s.bit), s.X_WB0, s.X_WB1, work, report);
   const double side = 3.0 / std::sqrt(0.5 * c.rock.surface.triangle_count());
-  c.limits = limits_for(side * *battery::number(0.5, 1.5));
+  c.limits = bare_limits_for(side * *battery::number(0.5, 1.5));
   c.limits.flip_quality = *battery::number(0.0, 0.6);
   c.limits.smoothing = Smoothing::tangential;
   c.limits.smooth_quality = *battery::number(0.0, 0.6);
@@ -121,7 +122,7 @@ RC_GTEST_PROP(FineRing, counts_touched_triangles_by_marks_as_one_by_one, ()) {
 /// The filter is of use: on an even sheet it passes every inner vertex of up to eight neighbours.
 TEST(FineRing, is_found_on_an_even_sheet) {
   Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.1, 3));
-  MaintenanceLimits limits = limits_for(0.35);
+  MaintenanceLimits limits = bare_limits_for(0.35);
   limits.flip_quality = 0.3;
   for (int v = 0; v < rock.surface.vertex_slots(); ++v)
     EXPECT_EQ(is_fine(rock, v, limits), !rock.surface.is_boundary(v)) << v;
@@ -132,7 +133,7 @@ TEST(FineRing, tests_folds_across_its_outer_edges_unless_their_ends_do) {
   Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.0, 3));
   constexpr int v = 5 * 11 + 5;
   const mesh::VertexStar star = rock.surface.star(v);
-  const MaintenanceLimits limits = limits_for(0.35);
+  const MaintenanceLimits limits = bare_limits_for(0.35);
   ASSERT_TRUE(is_fine(rock, v, limits));
   const int corner = mesh::corner_facing(rock.surface, star.ring[0], star.ring[1]);
   const int beyond = rock.surface.vertex(rock.surface.opposite_of(corner));
@@ -146,7 +147,7 @@ TEST(FineRing, tests_folds_across_its_outer_edges_unless_their_ends_do) {
 
 MaintenanceLimits any_limits(const mesh::Surface& s) {
   const double side = 3.0 / std::sqrt(0.5 * s.triangle_count());
-  MaintenanceLimits l = limits_for(side * *battery::number(0.5, 1.5));
+  MaintenanceLimits l = bare_limits_for(side * *battery::number(0.5, 1.5));
   l.flip_quality = *battery::number(0.0, 1.0);
   l.smoothing = *battery::integer(0, 1) == 0 ? Smoothing::off : Smoothing::tangential;
   l.smooth_quality = *battery::number(0.0, 1.0);
@@ -311,17 +312,17 @@ TEST(RingNotes, are_kept_where_nothing_changed) {
   constexpr int middle = 5 * 11 + 5, neighbour = middle + 1;
   for (const int v : {middle, neighbour}) touch(rock, v);
   std::vector<int> unknown;
-  begin_notes(rock, limits_for(0.3), OldNotes::used, unknown);
+  begin_notes(rock, bare_limits_for(0.3), OldNotes::used, unknown);
   EXPECT_EQ(unknown, (std::vector{middle, neighbour}));
-  begin_notes(rock, limits_for(0.3), OldNotes::used, unknown);
+  begin_notes(rock, bare_limits_for(0.3), OldNotes::used, unknown);
   EXPECT_TRUE(unknown.empty());
   touch(rock, 7 * 11 + 7);
-  begin_notes(rock, limits_for(0.3), OldNotes::used, unknown);
+  begin_notes(rock, bare_limits_for(0.3), OldNotes::used, unknown);
   EXPECT_EQ(unknown, std::vector{7 * 11 + 7});
   touch(rock, neighbour);
-  begin_notes(rock, limits_for(0.3), OldNotes::used, unknown);
+  begin_notes(rock, bare_limits_for(0.3), OldNotes::used, unknown);
   EXPECT_EQ(unknown, (std::vector{middle, neighbour}));
-  begin_notes(rock, limits_for(0.2), OldNotes::used, unknown);
+  begin_notes(rock, bare_limits_for(0.2), OldNotes::used, unknown);
   EXPECT_EQ(unknown.size(), rock.touched_list.size());
 }
 

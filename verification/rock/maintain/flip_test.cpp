@@ -13,11 +13,12 @@
 #include "rock/maintain/maintain.hpp"
 #include "rock/maintain/operations.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
+#include "verification/rock/maintain/bare_limits.hpp"
 
 namespace tdbd::rock::flip_test {
 
 MaintenanceLimits limits() {
-  MaintenanceLimits l = limits_for(0.35);
+  MaintenanceLimits l = bare_limits_for(0.35);
   l.flip_quality = 1.0;
   return l;
 }
@@ -234,7 +235,7 @@ Rock spiked(double height, double bump = 0.0) {
 }
 
 /// L_min is 0.8: the triangles at a vertex, 0.27 in all, are less than its square.
-MaintenanceLimits limits() { return limits_for(2.0); }
+MaintenanceLimits limits() { return bare_limits_for(2.0); }
 
 /// Every maintenance may lower it by L_min / 2; in the end the tip is no spike any more.
 RC_GTEST_PROP(Blunt, lowers_a_spike_straight_down_and_accounts_for_it, ()) {
@@ -258,7 +259,7 @@ RC_GTEST_PROP(Blunt, lowers_a_spike_straight_down_and_accounts_for_it, ()) {
 
 TEST(Blunt, leaves_alone_what_is_low_or_wide_or_no_tip) {
   EXPECT_FALSE(judge_blunt(spiked(0.39).surface, tip, limits()).is_spike);
-  EXPECT_FALSE(judge_blunt(spiked(2.0).surface, tip, limits_for(1.0)).is_spike);
+  EXPECT_FALSE(judge_blunt(spiked(2.0).surface, tip, bare_limits_for(1.0)).is_spike);
   EXPECT_FALSE(judge_blunt(spiked(2.0).surface, tip + 1, limits()).is_spike);
 }
 

@@ -17,6 +17,7 @@
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
+#include "verification/rock/maintain/bare_limits.hpp"
 
 namespace tdbd::rock::invariants_test {
 
@@ -36,7 +37,7 @@ Maintained maintained(const Wildness& wild = {}) {
   CutReport cut;
   cut_rock(m.before, prepare_cutting_bit(s.bit), s.X_WB0, s.X_WB1, cut_work, cut);
   const double h = 3.0 / std::sqrt(0.5 * m.before.surface.triangle_count());
-  m.limits = limits_for(h * *battery::number(0.7, 2.0));
+  m.limits = bare_limits_for(h * *battery::number(0.7, 2.0));
   m.limits.flip_quality = *battery::integer(0, 1) * *battery::number(0.0, 1.0);
   m.limits.smoothing = *battery::integer(0, 1) == 0 ? Smoothing::off : Smoothing::tangential;
   m.limits.smooth_quality = *battery::number(0.0, 1.0);
@@ -71,7 +72,7 @@ bool names(const std::vector<Violation>& found, Invariant which) {
 
 TEST(Invariants, find_nothing_wrong_with_a_sound_sheet) {
   const Rock rock = sheet();
-  EXPECT_EQ(describe(check_maintenance(rock, rock, limits_for(0.35), {})), "");
+  EXPECT_EQ(describe(check_maintenance(rock, rock, bare_limits_for(0.35), {})), "");
 }
 
 TEST(Invariants, notice_wrong_adjacency) {
@@ -101,12 +102,13 @@ TEST(Invariants, notice_an_index_out_of_step) {
 TEST(Invariants, notice_repairs_left_undone) {
   const Rock rock = sheet();
   const std::vector<RepairScope> everywhere(rock.surface.stars.size(), RepairScope::all);
-  MaintenanceLimits limits = limits_for(0.8);  // shortest 0.32: many sides of cells are shorter
+  MaintenanceLimits limits =
+      bare_limits_for(0.8);  // shortest 0.32: many sides of cells are shorter
   limits.volume_per_operation = 1.0;
   EXPECT_TRUE(names(check_repairs(rock.surface, everywhere, limits), Invariant::edges));
-  limits = limits_for(0.2);  // longest 0.32: the diagonals are longer
+  limits = bare_limits_for(0.2);  // longest 0.32: the diagonals are longer
   EXPECT_TRUE(names(check_repairs(rock.surface, everywhere, limits), Invariant::edges));
-  limits = limits_for(0.8);
+  limits = bare_limits_for(0.8);
   limits.shortest_edge = 0.0;
   limits.worst_quality = 0.99;
   limits.volume_per_operation = 1.0;
@@ -134,7 +136,7 @@ std::ptrdiff_t shapes_to_collapse(const mesh::Surface& s, const MaintenanceLimit
 RC_GTEST_PROP(Invariants, notice_thin_triangles_whose_shortest_edge_would_collapse, ()) {
   const mesh::Surface s = mesh::make_surface(battery::bumpy_rock(
       1.5, *battery::integer(6, 12), *battery::number(0.0, 0.2), *battery::integer(0, 1000)));
-  MaintenanceLimits limits = limits_for(*battery::number(0.2, 0.6));
+  MaintenanceLimits limits = bare_limits_for(*battery::number(0.2, 0.6));
   limits.shortest_edge = 0.0;
   limits.flip_quality = 0.0;
   limits.worst_quality = *battery::number(0.5, 1.0);
@@ -170,7 +172,7 @@ TEST(Invariants, measure_how_far_a_surface_strays) {
   EXPECT_EQ(there.x_W, after.position(60));
   EXPECT_LT(deviation(before, after, 1.0).distance, d);  // its nearest point is on the slope
   EXPECT_GT(deviation(before, after, 1.0).distance, 0.5 * d);
-  MaintenanceLimits limits = limits_for(0.3);  // half of its shortest edge: 0.06
+  MaintenanceLimits limits = bare_limits_for(0.3);  // half of its shortest edge: 0.06
   EXPECT_TRUE(check_distance(before, after, limits).empty());
   limits.shortest_edge = 1.9 * d;
   EXPECT_TRUE(names(check_distance(before, after, limits), Invariant::distance));
@@ -219,7 +221,7 @@ TEST(Invariants, excuse_changes_up_to_the_neighbours_of_a_touched_vertex) {
 /// A crumpled sheet some of whose vertices are touched, and limits around its edges of 0.3.
 struct Touched {
   Rock rock = rock_of(any_sheet(*battery::number(0.1, 1.2)));
-  MaintenanceLimits limits = limits_for(*battery::number(0.2, 0.5));
+  MaintenanceLimits limits = bare_limits_for(*battery::number(0.2, 0.5));
   std::vector<int> vertices;
 
   Touched() {
@@ -332,8 +334,8 @@ TEST(TouchedRegion, finds_what_changed_since) {
   for (const int v : {40, 50, 60}) touch(rock, v);
   TouchedRegion region;
   std::vector<int> unknown;
-  begin_notes(rock, limits_for(0.3), OldNotes::used, unknown);
-  classify_touched_triangles(rock, limits_for(0.3), region);
+  begin_notes(rock, bare_limits_for(0.3), OldNotes::used, unknown);
+  classify_touched_triangles(rock, bare_limits_for(0.3), region);
   find_changed(rock, region);
   EXPECT_TRUE(region.changed.empty());
   touch(rock, 50);

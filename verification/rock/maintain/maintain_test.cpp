@@ -17,6 +17,7 @@
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
 #include "verification/rock/index/grid_query.hpp"
+#include "verification/rock/maintain/bare_limits.hpp"
 
 namespace tdbd::rock::maintain_test {
 
@@ -63,7 +64,7 @@ MaintenanceLimits with_any_options(MaintenanceLimits l) {
 Worked worked(const Wildness& wild = {}) {
   Worked w;
   w.cut = cut_in_steps(*scene(wild), *battery::integer(1, 3));
-  w.limits = with_any_options(limits_for(mean_edge(w.cut.surface)));
+  w.limits = with_any_options(bare_limits_for(mean_edge(w.cut.surface)));
   w.after = w.cut;
   MaintenanceWorkspace work;
   maintain(w.after, w.limits, work, w.report);
@@ -107,7 +108,7 @@ RC_GTEST_PROP(Maintain, reports_the_volume_that_it_changes, ()) {
 RC_GTEST_PROP(Maintain, by_bisection_alone_changes_no_volume, ()) {
   Rock rock = cut_in_steps(*scene(), 2);
   const Rock cut = rock;
-  MaintenanceLimits limits = limits_for(mean_edge(rock.surface));
+  MaintenanceLimits limits = bare_limits_for(mean_edge(rock.surface));
   limits.shortest_edge = limits.worst_quality = 0.0;
   MaintenanceWorkspace work;
   MaintenanceReport report;
@@ -186,7 +187,7 @@ MaintenanceReport settle(Rock& rock, const MaintenanceLimits& limits) {
 
 /// Limits that sometimes require much coarser rock: many collapses, and many that must be refused.
 MaintenanceLimits any_limits(double edge_length) {
-  MaintenanceLimits l = with_any_options(limits_for(edge_length));
+  MaintenanceLimits l = with_any_options(bare_limits_for(edge_length));
   l.shortest_edge *= *battery::number(0.5, 6.0);
   l.longest_edge = std::max(2.0 * l.shortest_edge, 1.6 * edge_length);
   l.worst_quality = *battery::number(0.0, 0.3);
@@ -238,7 +239,7 @@ TEST(Maintain, that_does_not_end_stops_and_names_the_place) {
   Rock rock = make_rock(mesh::make_surface(battery::bumpy_rock(1.0, 4, 0.1, 1)), 0.5,
                         {Vec3::Constant(-1.0), Vec3::Constant(1.0)});
   for (int v = 0; v < rock.surface.vertex_slots(); ++v) touch(rock, v);
-  MaintenanceLimits limits = limits_for(0.06);
+  MaintenanceLimits limits = bare_limits_for(0.06);
   limits.most_rounds = 2;
   MaintenanceWorkspace work;
   MaintenanceReport report;
@@ -281,7 +282,7 @@ TEST(Maintain, refreshes_the_index) {
   ASSERT_LT(nearest_above(), nothing);
   MaintenanceWorkspace work;
   MaintenanceReport report;
-  for (int k = 0; k < 40; ++k) maintain(rock, limits_for(0.3), work, report);
+  for (int k = 0; k < 40; ++k) maintain(rock, bare_limits_for(0.3), work, report);
   EXPECT_EQ(nearest_above(), nothing);
 }
 
@@ -327,7 +328,7 @@ TEST(Maintain, tries_of_a_fold_the_edges_of_its_touched_triangle_alone) {
   rock.surface.place(beyond, 0.4 * x_v + 0.3 * (x_a + x_b) + Vec3(0.0, 0.0, 1e-3));
   rock.touched.assign(rock.touched.size(), 0);
   touch(rock, v);
-  MaintenanceLimits limits = limits_for(0.35);
+  MaintenanceLimits limits = bare_limits_for(0.35);
   limits.longest_edge = 3.0;
   limits.volume_per_operation = limits.flip_quality = 0.0;
   limits.smoothing = Smoothing::off;

@@ -16,6 +16,7 @@
 #include "verification/battery/shapes.hpp"
 #include "verification/core/temporary_folder.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
+#include "verification/rock/maintain/bare_limits.hpp"
 
 /// Lists of commands on one rock, whose promises are checked after each. A list that breaks one
 /// shrinks to the shortest that does, and is printed.
@@ -112,7 +113,7 @@ void cut(Run& run, const Command& c) {
 }
 
 MaintenanceLimits limits_of(const Command& c) {
-  MaintenanceLimits limits = limits_for(c.size + 0.15);  // of rock with edges of 0.33 and more
+  MaintenanceLimits limits = bare_limits_for(c.size + 0.15);  // of rock with edges of 0.33 and more
   limits.worst_quality = c.quality;
   limits.flip_quality = limits.smooth_quality = 3.0 * c.quality;
   limits.smoothing = c.pick % 2 == 0 ? Smoothing::off : Smoothing::tangential;

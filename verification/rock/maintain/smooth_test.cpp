@@ -17,10 +17,11 @@
 #include "verification/battery/generators.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
+#include "verification/rock/maintain/bare_limits.hpp"
 
 namespace tdbd::rock::smooth_test {
 
-MaintenanceLimits limits() { return limits_for(0.35); }
+MaintenanceLimits limits() { return bare_limits_for(0.35); }
 
 double volume(const Rock& rock) { return mesh::hole_volume(rock.surface, Vec3::Zero()); }
 
@@ -321,6 +322,7 @@ int compare_answers(Rock& rock, const MaintenanceLimits& limits) {
 RC_GTEST_PROP(TurnedOver, is_answered_by_rings_as_by_triangles, ()) {
   Rock rock = any_cut();
   MaintenanceLimits limits;
+  limits.worst_quality = 0.1;
   limits.steepest_overhang = *battery::number(0.0, 0.5);
   std::vector<int> unknown;
   begin_notes(rock, limits, OldNotes::used, unknown);
@@ -338,6 +340,7 @@ RC_GTEST_PROP(TurnedOver, is_answered_by_rings_as_by_triangles, ()) {
 TEST(TurnedOver, is_ruled_out_for_even_rock) {
   Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.1, 3));
   MaintenanceLimits limits;
+  limits.worst_quality = 0.1;
   std::vector<int> unknown;
   for (int pass = 0; pass < 2; ++pass) {
     begin_notes(rock, limits, OldNotes::discarded, unknown);

@@ -20,6 +20,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/battery/rock_surfaces.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
+#include "verification/rock/maintain/bare_limits.hpp"
 
 namespace tdbd::rock::untangle_test {
 
@@ -54,7 +55,7 @@ Rock tangled(const mesh::TriangleMesh& m) {
 Rock tangled(std::uint64_t seed) { return tangled(tangled_mesh(seed)); }
 
 MaintenanceLimits limits() {
-  MaintenanceLimits l = limits_for(edge);
+  MaintenanceLimits l = bare_limits_for(edge);
   l.flip_quality = 0.6;
   l.smoothing = Smoothing::tangential;
   l.smooth_quality = 0.5;

@@ -18,6 +18,7 @@
 #include "verification/battery/generators.hpp"
 #include "verification/rock/bumpy_sheet.hpp"
 #include "verification/rock/cut/cutting_scene.hpp"
+#include "verification/rock/maintain/bare_limits.hpp"
 
 namespace tdbd::rock::waiting_test {
 
@@ -49,7 +50,7 @@ struct Drilling {
 
 MaintenanceLimits limits_of(const Rock& rock) {
   const double side = 3.0 / std::sqrt(0.5 * rock.surface.triangle_count());
-  MaintenanceLimits l = limits_for(side * *battery::number(0.7, 2.0));
+  MaintenanceLimits l = bare_limits_for(side * *battery::number(0.7, 2.0));
   l.flip_quality = *battery::number(0.0, 1.0);
   l.smoothing = *battery::integer(0, 1) == 0 ? Smoothing::off : Smoothing::tangential;
   l.smooth_quality = *battery::number(0.0, 1.0);
@@ -170,7 +171,7 @@ RC_GTEST_PROP(Waiting, is_as_long_when_cuts_are_counted_in_parts, ()) {
 constexpr double edge = 0.3;
 
 MaintenanceLimits patient() {
-  MaintenanceLimits l = limits_for(edge);
+  MaintenanceLimits l = bare_limits_for(edge);
   l.flip_quality = 0.6;
   l.smoothing = Smoothing::tangential;
   l.smooth_quality = 0.5;
@@ -271,7 +272,7 @@ struct Drilled {
         motion(inverse(s.X_WB0) * s.X_WB1),
         rock(rock_of(s)) {
     const double side = 3.0 / std::sqrt(0.5 * rock.surface.triangle_count());
-    MaintenanceLimits limits = limits_for(side * *battery::number(0.7, 2.0));
+    MaintenanceLimits limits = bare_limits_for(side * *battery::number(0.7, 2.0));
     limits.flip_quality = 0.6;
     limits.smoothing = Smoothing::tangential;
     limits.smooth_quality = 0.5;

@@ -20,6 +20,7 @@
 #include "rock/start/borehole.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/battery/shapes.hpp"
+#include "verification/rock/maintain/bare_limits.hpp"
 
 /// The section of the rock at the face while the bit is deeper than the cut of the rock ahead of
 /// it: a disc that turns about an axis beside it and goes down into flat rock.
@@ -202,7 +203,7 @@ std::vector<double> swept_by_sections(const bit::Bit& bit, double edge_length) {
   std::vector<double> volumes(bit.cutters.size(), 0.0);
   for (long i = 0; i < 3 * steps; ++i) {
     cut_rock(rock, cutting, pose_after(i), pose_after(i + 1), cut_work, cut);
-    if (i % 5 == 4) maintain(rock, limits_for(edge_length), maintain_work, maintained);
+    if (i % 5 == 4) maintain(rock, bare_limits_for(edge_length), maintain_work, maintained);
     if (i < 2 * steps) continue;
     for (std::size_t c = 0; c < volumes.size(); ++c)
       volumes[c] += section(rock, faces[c], pose_after(i + 1), twist,

@@ -1,5 +1,3 @@
-#include "simulation/case/case_areas.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +6,7 @@
 #include "bit/areas/area_rules.hpp"
 #include "core/error.hpp"
 #include "simulation/case/case.hpp"
+#include "simulation/case/force_settings.hpp"
 #include "simulation/step/simulation.hpp"
 
 namespace tdbd::simulation::case_areas_test {

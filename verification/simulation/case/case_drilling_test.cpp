@@ -1,5 +1,3 @@
-#include "simulation/case/case_drilling.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "core/temporary_file.hpp"
 #include "forces/laws/contact_laws.hpp"
 #include "simulation/case/case.hpp"
+#include "simulation/case/drilling_settings.hpp"
 
 namespace tdbd::simulation::case_drilling_test {
 

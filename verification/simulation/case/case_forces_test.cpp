@@ -1,5 +1,3 @@
-#include "simulation/case/case_forces.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include "core/error.hpp"
 #include "forces/rock/rock_material.hpp"
 #include "simulation/case/case.hpp"
+#include "simulation/case/force_settings.hpp"
 
 namespace tdbd::simulation::case_forces_test {
 

@@ -1,11 +1,10 @@
-#include "simulation/case/case_motion.hpp"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "core/error.hpp"
 #include "simulation/case/case.hpp"
+#include "simulation/case/motion.hpp"
 
 namespace tdbd::simulation::case_motion_test {
 
@@ -90,13 +89,13 @@ TEST(ReadMotion, gives_the_top_what_moves_it) {
 }
 
 TEST(ReadMotion, has_a_speed_for_every_cone) {
-  EXPECT_EQ(of("bit-r-steady", {"motion.cone_speeds=[1.4, 1.5, 1.6]"}).motion.cone_speeds,
+  EXPECT_EQ(of("bit-r-steady", {"motion.cone_speeds=[1.4, 1.5, 1.6]"}).motion.cones.speeds,
             (std::vector{1.4, 1.5, 1.6}));
   expect_named(refusal("bit-r-steady", {"motion.cone_speeds=[1.4, 1.5]"}),
                "motion.cone_speeds: found 2 speeds, expected one for each of the bit's 3 cones");
   const Motion rolling = of("bit-r-rolling", {"motion.rotary_speed=5"}).motion;
-  EXPECT_EQ(rolling.cone_drive, ConeDrive::rolling);
-  EXPECT_DOUBLE_EQ(rolling.cone_memory, 0.1 / 5.0) << "a tenth of a radian of the bit";
+  EXPECT_EQ(rolling.cones.drive, ConeDrive::rolling);
+  EXPECT_DOUBLE_EQ(rolling.cones.memory, 0.1 / 5.0) << "a tenth of a radian of the bit";
   expect_named(refusal("bit-b-steady", {"motion.cone_speeds=rolling"}),
                "motion.cone_speeds: found \"rolling\", expected a bit with cones");
 }

@@ -33,7 +33,7 @@ TEST(ReadCase, gives_si_and_the_defaults) {
   EXPECT_NEAR(c.motion.rate_of_penetration, 0.01, 1e-17);
   EXPECT_EQ(c.time.step, 0.001);
   EXPECT_EQ(c.time.steps, 2000);
-  EXPECT_EQ(c.maintenance.every, MaintenancePlan{}.every);
+  EXPECT_EQ(c.maintenance.every, rock::MaintenanceOptions{}.every);
   EXPECT_EQ(c.output.history_every, 1);
   EXPECT_EQ(c.output.frames_every, 0);
 }
@@ -177,8 +177,8 @@ TEST(ReadCase, that_goes_on_has_no_cones_that_remember) {
   const std::vector<std::string> rolling{"bit.file=" + bit, "motion.cone_speeds=rolling"};
   EXPECT_EQ(refusal(rolling), "");
   expect_refused({rolling[0], rolling[1], "time.first_step=10"},
-                 "time.first_step: found 10 with rolling cones, expected 0: what cones remember "
-                 "of their contacts is in no file");
+                 "time.first_step: found 10 with rolling cones, expected 0: the earlier contacts "
+                 "of cones are not in any file");
 }
 
 TEST(ReadCase, tells_the_mistakes_of_a_bit_once) {

@@ -7,7 +7,7 @@
 
 #include "core/temporary_file.hpp"
 #include "simulation/case/case.hpp"
-#include "simulation/case/force_keys.hpp"
+#include "simulation/case/force_settings.hpp"
 #include "simulation/chain/chain_simulation.hpp"
 #include "simulation/rotate/rotate_case.hpp"
 
@@ -165,7 +165,7 @@ inline std::vector<ReadCase> laws() {
 }
 
 inline std::vector<ReadCase> fits() {
-  const std::string name(force_keys::fit_names().front());
+  const std::string name(LawChoice::fit_names().front());
   return {small_run(steady, "",
                     {"forces.coefficients=" + name, "forces.face.coefficients=" + name,
                      "rock.material=berea-sandstone"})};

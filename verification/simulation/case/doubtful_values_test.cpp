@@ -23,7 +23,8 @@ TEST(DoubtfulValues, are_edges_longer_than_half_of_a_cutter) {
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_EQ(warnings[0].key, "rock.edge_length");
     EXPECT_EQ(warnings[0].place, "--set: rock.edge_length");
-    EXPECT_TRUE(warnings[0].text.starts_with("edges of " + edge + " do not show what a part 1"))
+    EXPECT_TRUE(
+        warnings[0].text.starts_with("edges of " + edge + " do not resolve the cuts of a part 1"))
         << warnings[0].text;
   }
 }
@@ -194,8 +195,8 @@ TEST(DoubtfulValues, of_a_chain_are_sections_ahead_of_the_faces) {
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].key, "measure.section_at_face");
   EXPECT_EQ(warnings[0].text,
-            "\"as_ahead\" damps axial vibrations of the bit, since the weight on bit leads its "
-            "motion: \"extrapolated\" hardly does");
+            "\"as_ahead\" damps axial vibrations of the bit, because the weight on bit leads its "
+            "motion; \"extrapolated\" hardly does");
 }
 
 }  // namespace tdbd::simulation::doubtful_values_test

@@ -1,9 +1,8 @@
-#include "simulation/case/key_tables.hpp"
-
 #include <gtest/gtest.h>
 
 #include "core/config/key_table.hpp"
 #include "core/read_file.hpp"
+#include "simulation/case/case_kind.hpp"
 
 namespace tdbd::simulation::key_tables_test {
 

@@ -11,8 +11,7 @@
 #include "core/temporary_file.hpp"
 #include "simulation/case/case.hpp"
 #include "simulation/case/case_kind.hpp"
-#include "simulation/case/force_keys.hpp"
-#include "simulation/case/key_tables.hpp"
+#include "simulation/case/force_settings.hpp"
 #include "simulation/chain/chain_simulation.hpp"
 #include "simulation/rotate/rotate_case.hpp"
 #include "verification/simulation/case/covering_cases.hpp"
@@ -170,7 +169,7 @@ TEST(Keys, that_are_declared_can_be_read_and_given_with_their_defaults) {
     for (const Resolved& line : lines_of(c.resolved))
       for (const std::string& table : declared_as(line.table))
         read.insert(c.command + " " + table + " " +
-                    (table == bit_keys::changes.name ? std::string(bit_keys::any.name) : line.key));
+                    (table == BitChanges::table.name ? "KEY" : line.key));
     EXPECT_EQ(read_again(c), c.resolved);
   }
   for (const KeyTable& table : all_tables())

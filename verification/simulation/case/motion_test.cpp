@@ -8,7 +8,7 @@
 
 #include "core/random.hpp"
 #include "rotation/screw.hpp"
-#include "simulation/case/step_check.hpp"
+#include "simulation/case/doubtful_values.hpp"
 
 namespace tdbd::simulation::motion_test {
 

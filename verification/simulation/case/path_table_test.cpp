@@ -1,9 +1,8 @@
-#include "simulation/case/path_table.hpp"
-
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
 #include "core/temporary_file.hpp"
+#include "simulation/case/motion.hpp"
 
 namespace tdbd::simulation::path_table_test {
 

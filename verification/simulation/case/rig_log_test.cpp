@@ -1,5 +1,3 @@
-#include "simulation/case/rig_log.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 
 #include "core/read_file.hpp"
 #include "io/archive.hpp"
+#include "simulation/case/top_settings.hpp"
 #include "simulation/chain/chain_simulation.hpp"
 #include "simulation/step/simulation.hpp"
 #include "verification/core/temporary_file.hpp"

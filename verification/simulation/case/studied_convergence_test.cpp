@@ -1,5 +1,3 @@
-#include "simulation/case/studied_convergence.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "simulation/case/run_settings.hpp"
 #include "simulation/result/run.hpp"
 #include "simulation/study/convergence_output.hpp"
 #include "verification/simulation/result_files.hpp"

@@ -1,10 +1,9 @@
-#include "simulation/case/case_spalling.hpp"
-
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
 #include "core/types.hpp"
 #include "simulation/case/case.hpp"
+#include "simulation/case/spalling_settings.hpp"
 
 namespace tdbd::simulation::case_spalling_test {
 namespace {
@@ -113,9 +112,10 @@ TEST(CaseSpalling, rejects_meaningless_values_with_their_key) {
 
 TEST(CaseSpalling, rejects_areas_that_decide_nothing) {
   const std::string on = "spalling.angle='60 deg'";
-  expect_complaint({on, "spalling.areas.a={kind='chamfer', depth_share=0}"},
-                   "--set: spalling.areas.a: found cutter-1/chamfer, which is no face of a cutter, "
-                   "expected criteria that select faces: rock breaks out beside them alone");
+  expect_complaint(
+      {on, "spalling.areas.a={kind='chamfer', depth_share=0}"},
+      "--set: spalling.areas.a: found cutter-1/chamfer, which is not the face of a cutter, "
+      "expected criteria that select faces, because rock breaks out only beside them");
   expect_complaint({on, "spalling.areas.a={kind='face'}"},
                    "--set: spalling.areas.a: found no property, expected angle, depth_share or "
                    "ahead_share");

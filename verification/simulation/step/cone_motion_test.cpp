@@ -114,12 +114,12 @@ TEST(ConeMotion, cones_of_given_speeds_have_each_its_own) {
   c.bit.cones.resize(3);
   c.time.step = 1e-3;
   c.motion.rotary_speed = 5.0;
-  c.motion.cone_speeds = {1.25, 1.5, 0.75};
+  c.motion.cones.speeds = {1.25, 1.5, 0.75};
   std::vector<ConeState> cones = start_cones(c);
   for (long done = 0; done < 3; ++done) turn_cones(c, done, {}, cones);
   for (std::size_t k = 0; k < 3; ++k) {
-    EXPECT_NEAR(cones[k].speed, -c.motion.cone_speeds[k] * 5.0, 1e-12) << k;
-    EXPECT_NEAR(cones[k].angle, -c.motion.cone_speeds[k] * 5.0 * 3e-3, 1e-16) << k;
+    EXPECT_NEAR(cones[k].speed, -c.motion.cones.speeds[k] * 5.0, 1e-12) << k;
+    EXPECT_NEAR(cones[k].angle, -c.motion.cones.speeds[k] * 5.0 * 3e-3, 1e-16) << k;
   }
 }
 
@@ -135,7 +135,7 @@ TEST(ConeMotion, a_cone_without_contact_rolls_purely_and_keeps_its_speed) {
   turn_cones(c, 1, one, cones);
   const double after = cones[0].speed;
   EXPECT_GT(std::abs(after + Wheel{}.ratio() * w), 1e-3 * w);
-  c.motion.cone_memory = 0.0;
+  c.motion.cones.memory = 0.0;
   turn_cones(c, 2, one, cones);
   const double at_once = cones[0].speed;
   for (long k = 3; k < 5000; ++k) turn_cones(c, k, none, cones);

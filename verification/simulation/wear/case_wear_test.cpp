@@ -1,11 +1,10 @@
-#include "simulation/case/case_wear.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "core/error.hpp"
 #include "simulation/case/case.hpp"
+#include "simulation/case/wear_settings.hpp"
 
 namespace tdbd::simulation::case_wear_test {
 namespace {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/read_file.hpp"
-#include "sweep/design/design_tables.hpp"
 #include "verification/sweep/small_design.hpp"
 
 namespace tdbd::sweep::design_test {

@@ -1,10 +1,9 @@
-#include "sweep/design/levels.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 
+#include "sweep/design/points.hpp"
 #include "verification/battery/generators.hpp"
 
 namespace tdbd::sweep::levels_test {
