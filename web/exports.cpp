@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "mesh/files/ply.hpp"
 #include "mesh/surface.hpp"
-#include "simulation/start/rock_stamp.hpp"
+#include "simulation/start/rock_start.hpp"
 #include "simulation/step/step.hpp"
 #include "web/session.hpp"
 

@@ -2,7 +2,6 @@
 
 #include "python/src/options.hpp"
 #include "simulation/result/run.hpp"
-#include "simulation/result/run_loop.hpp"
 #include "simulation/rotate/rotate_run.hpp"
 
 namespace tdbd::python {

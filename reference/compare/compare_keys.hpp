@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/config/key.hpp"
+#include "core/config/field.hpp"
 #include "core/types.hpp"
 #include "reference/literature/drag/plane/planar_outline.hpp"
 

@@ -14,7 +14,7 @@
 #include "core/text.hpp"
 #include "io/whole_file.hpp"
 #include "simulation/case/case_kind.hpp"
-#include "simulation/chain/chain_simulation.hpp"
+#include "simulation/chain/chain_run.hpp"
 #include "simulation/result/run.hpp"
 #include "simulation/rotate/rotate_simulation.hpp"
 #include "simulation/start/rock_start.hpp"

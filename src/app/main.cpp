@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "app/arguments.hpp"
-#include "app/command_words.hpp"
 #include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/provenance.hpp"

@@ -10,7 +10,7 @@
 #include "mesh/files/solids.hpp"
 #include "mesh/grade/grade.hpp"
 #include "mesh/repair/repair.hpp"
-#include "simulation/start/rock_stamp.hpp"
+#include "simulation/start/rock_start.hpp"
 
 namespace tdbd::app {
 namespace {

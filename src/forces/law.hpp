@@ -7,9 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "forces/laws/contact_laws.hpp"
-#include "forces/laws/cutter_laws.hpp"
 #include "forces/laws/hanson_hansen.hpp"
+#include "forces/laws/laws.hpp"
 #include "forces/rock/rock_material.hpp"
 
 namespace tdbd::forces {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "claims/rock_runs.hpp"
-#include "simulation/step/load_figures.hpp"
+#include "simulation/step/loads.hpp"
 
 namespace tdbd::claims {
 

@@ -9,7 +9,7 @@
 #include "mesh/measures.hpp"
 #include "reference/literature/roller/craters/huang_cawthorne.hpp"
 #include "reference/literature/roller/roller_bit_of.hpp"
-#include "simulation/step/load_figures.hpp"
+#include "simulation/step/loads.hpp"
 
 /// Chapter 2: the patent's idea applied to ourselves. Its rock is a table of single-tooth tests; here the
 /// table is that of one tooth of our own, so that law and rock are the same, and what is left is what a sum

@@ -10,7 +10,7 @@
 #include "core/observed_order.hpp"
 #include "forces/generate.hpp"
 #include "forces/law.hpp"
-#include "forces/laws/cutter_laws.hpp"
+#include "forces/laws/laws.hpp"
 #include "reference/literature/drag/plane/planar_outline.hpp"
 
 namespace tdbd::forces::whole_bit_test {

@@ -166,7 +166,7 @@ def self_test():
            ("reference/dynamics/top.cpp", '#include "dynamics/momenta.hpp"')]
     good += [("src/rock/cut/cut_rock.cpp", '#include "rock/rock.hpp"'), ("src/rock/rock.hpp", '#include "rock/index/near_list.hpp"'),
              ("src/simulation/study/convergence.cpp", '#include "simulation/case/case.hpp"'),
-             ("src/forces/law.hpp", '#include "forces/laws/contact_laws.hpp"'),
+             ("src/forces/law.hpp", '#include "forces/laws/laws.hpp"'),
              ("src/forces/rock/rock_material.cpp", '#include "forces/rock/rock_material.hpp"')]
     bad += [("src/rock/index/near_list.cpp", '#include "rock/rock.hpp"'),
             ("src/rock/rock.hpp", '#include "rock/cut/cut_rock.hpp"'),

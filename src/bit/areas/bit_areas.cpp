@@ -6,7 +6,7 @@
 #include <array>
 #include <map>
 
-#include "bit/areas/read_areas.hpp"
+#include "bit/areas/area_rules.hpp"
 #include "bit/cone/cone_measures.hpp"
 #include "bit/cone/cone_parts.hpp"
 #include "core/config/toml_text.hpp"

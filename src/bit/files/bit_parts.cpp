@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "bit/files/file_checks.hpp"
-#include "bit/files/mesh_settings.hpp"
+#include "bit/files/mesh_cutters.hpp"
 #include "bit/profile/exposure_profile.hpp"
 #include "core/error.hpp"
 #include "mesh/files/files.hpp"

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <utility>
-#include <vector>
 
 #include "bit/areas/bit_areas.hpp"
 #include "bit/cone/cone_bit.hpp"
@@ -12,8 +10,7 @@
 #include "bit/cone/cone_interference.hpp"
 #include "bit/cone/cone_parts.hpp"
 #include "bit/cone/legs.hpp"
-#include "bit/files/cone_settings.hpp"
-#include "bit/files/pdc_settings.hpp"
+#include "bit/files/pdc_file.hpp"
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"
 #include "core/types.hpp"

@@ -2,9 +2,9 @@
 
 #include <string_view>
 
-#include "bit/files/setting_ranges.hpp"
+#include "bit/files/file_checks.hpp"
 #include "bit/pdc/pdc_design.hpp"
-#include "core/config/fields.hpp"
+#include "core/config/field.hpp"
 
 /// The settings of [design]: a layout of PDC cutters that is generated from rules.
 namespace tdbd::bit {

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
-#include "bit/files/mesh_settings.hpp"
-#include "bit/files/pdc_settings.hpp"
+#include "bit/files/mesh_cutters.hpp"
+#include "bit/files/pdc_file.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/repair.hpp"
 

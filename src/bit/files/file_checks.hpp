@@ -6,10 +6,23 @@
 
 #include "bit/bit.hpp"
 #include "core/config/config.hpp"
+#include "core/config/field.hpp"
 #include "mesh/files/solids.hpp"
 
-/// Checks that the readers of parts, solids and bodies share.
 namespace tdbd::bit {
+
+// Ranges of a bit's settings. Values outside them are mistakes of units, and their products with
+// others may overflow.
+
+inline constexpr double largest_bit = 10.0;  ///< m
+inline constexpr Range bit_length{.lo = 0.0, .hi = largest_bit, .ends = Range::Ends::open_lo};
+inline constexpr Range bit_length_or_none = Range::within(0.0, largest_bit);
+inline constexpr Range bit_place = Range::within(-largest_bit, largest_bit);
+
+/// kg/m3; the densest element has 22 600.
+inline constexpr Range any_density = Range::within(0.0, 3e4);
+
+// Checks that the readers of parts, solids and bodies share.
 
 /// Whether a name contains only letters, digits, - and _, with / in between. Names become paths of
 /// files and keys of results.

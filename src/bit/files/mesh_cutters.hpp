@@ -1,9 +1,185 @@
 #pragma once
 
+#include <limits>
+#include <optional>
+#include <string>
+
 #include "bit/bit.hpp"
 #include "bit/files/bit_parts.hpp"
+#include "bit/files/file_checks.hpp"
+#include "core/config/field.hpp"
 
 namespace tdbd::bit {
+
+// The settings of a bit whose parts come from mesh files.
+
+/// A mesh file and its unit, of [[parts]] and [solids].
+struct MeshFile {
+  std::string file;
+  double unit = 1e-3;
+
+  void visit(FieldVisitor& v) {
+    v.path(file, {.name = "file",
+                  .need = Need::required,
+                  .meaning = "a closed mesh with outward normals (STL, OBJ, PLY or OFF)"});
+    v(unit, {.name = "unit",
+             .unit = "m",
+             .range = Range::positive(),
+             .meaning = "length of the mesh file's unit"});
+  }
+};
+
+/// The direction in which rock leaves a part, of [[parts]] and [[solids.rules]].
+struct PartDirection {
+  Vec3 update_direction = Vec3::UnitZ();
+
+  void visit(FieldVisitor& v) {
+    v(update_direction, {.name = "update_direction",
+                         .usual = "by kind, frame and profile",
+                         .meaning = "at azimuth 0, (x, 0, z)"});
+  }
+};
+
+/// [[parts]], beside MeshFile and PartDirection.
+struct PartSettings {
+  std::string name, kind;
+  bool cutting = true, rubs = false;
+  double density = 0.0;
+  int group = -1;
+  Vec3 position = Vec3::Zero(), rotation_vector = Vec3::Zero();
+
+  static constexpr TableKey table{"parts", "a part of the bit from a mesh file", Repeats::yes};
+  void visit(FieldVisitor& v) {
+    v(name, {.name = "name",
+             .need = Need::required,
+             .meaning = "letters, digits, - and _, with / between"});
+    v.name(kind, {.name = "kind",
+                  .names = &part_kind_names,
+                  .need = Need::required,
+                  .meaning = "what the part is"});
+    cutting = part_kind_named(kind) != PartKind::bit_body;
+    v(cutting, {.name = "cutting",
+                .usual = "on, except kind bit-body",
+                .meaning = "whether it removes rock"});
+    v(rubs,
+      {.name = "rubs", .meaning = "not cutting: whether it bears on rock, by the law of its kind"});
+    v(density, {.name = "density",
+                .unit = "kg/m3",
+                .range = any_density,
+                .meaning = "all parts or none have one"});
+    v(group, {.name = "group",
+              .lo = -1,
+              .hi = std::numeric_limits<int>::max(),
+              .meaning = "parts with one frame and update direction have one group; -1: none"});
+    v(position, {.name = "position", .unit = "m", .meaning = "of the part's frame in the bit's"});
+    v(rotation_vector,
+      {.name = "rotation_vector", .unit = "rad", .meaning = "of the part's frame in the bit's"});
+  }
+};
+
+/// [solids].
+struct SolidSettings : MeshFile {
+  static constexpr TableKey table{"solids", "a whole bit in one mesh file, solids by name"};
+};
+
+/// [[solids.rules]], besides PartDirection. Properties that a rule does not give remain open.
+struct SolidRuleSettings {
+  std::string match;
+  std::optional<std::string> name, kind;
+  std::optional<bool> cutting, rubs;
+  std::optional<double> density;
+  std::optional<int> group;
+  Vec3 cutter_position = Vec3::Zero(), cutter_rotation_vector = Vec3::Zero();
+
+  static constexpr TableKey table{
+      "solids.rules",
+      "properties of the solids that match a pattern; later rules override earlier ones",
+      Repeats::yes};
+  void visit(FieldVisitor& v) {
+    v(match, {.name = "match",
+              .need = Need::required,
+              .meaning = "a name; * stands for any text, ? for any character"});
+    v(name, {.name = "name", .usual = "that of the solid", .meaning = "in place of its own"});
+    std::string kind_name;
+    v.name(kind_name, {.name = "kind",
+                       .names = &part_kind_names,
+                       .need = Need::optional,
+                       .usual = "by its name",
+                       .meaning = "what the part is"});
+    if (!kind_name.empty()) kind = kind_name;
+    v(cutting, {.name = "cutting",
+                .usual = "on, except bodies and cones",
+                .meaning = "whether it removes rock"});
+    v(rubs, {.name = "rubs",
+             .usual = "false",
+             .meaning = "not cutting: whether it bears on rock, by the law of its kind"});
+    v(density, {.name = "density",
+                .unit = "kg/m3",
+                .usual = "none",
+                .range = any_density,
+                .meaning = "of the solid"});
+    v(group, {.name = "group",
+              .usual = "by cutter",
+              .lo = -1,
+              .hi = std::numeric_limits<int>::max(),
+              .meaning = "as of parts"});
+    // One of the two requires the other.
+    const Need need = v.gives("cutter_position") || v.gives("cutter_rotation_vector")
+                          ? Need::required
+                          : Need::optional;
+    v(cutter_position,
+      {.name = "cutter_position",
+       .unit = "m",
+       .need = need,
+       .usual = "none",
+       .meaning = "centre of the face of the solid's cutter; with it a face carries forces"});
+    v(cutter_rotation_vector,
+      {.name = "cutter_rotation_vector",
+       .unit = "rad",
+       .need = need,
+       .usual = "none",
+       .meaning = "of the cutter's frame: X out of the face, -Z towards the rock"});
+  }
+};
+
+/// [[solids.cones]]: a journal, with the cone of all solids named NAME/...
+struct SolidConeSettings {
+  Cone cone;
+
+  static constexpr TableKey table{
+      "solids.cones", "a journal, with the cone of all solids named NAME/...", Repeats::yes};
+  void visit(FieldVisitor& v) {
+    ConeLayout& c = cone.layout;
+    v(cone.name, {.name = "name", .need = Need::required, .meaning = "of the cone: cone-1"});
+    v(c.azimuth, {.name = "azimuth",
+                  .unit = "rad",
+                  .need = Need::required,
+                  .meaning = "of the journal about the bit's axis"});
+    v(c.journal_angle, {.name = "journal_angle",
+                        .unit = "rad",
+                        .need = Need::required,
+                        .range = Range::within(-1.5, 1.5),
+                        .meaning = "of the journal below the plane normal to the bit's axis"});
+    v(c.offset, {.name = "offset",
+                 .unit = "m",
+                 .range = bit_place,
+                 .meaning = "of the journal's axis, in the sense of the bit's rotation"});
+    v(c.skew,
+      {.name = "skew", .unit = "rad", .meaning = "of the journal's outer end, in the same sense"});
+    v(c.apex, {.name = "apex",
+               .unit = "m",
+               .range = bit_place,
+               .meaning = "from the journal's foot to the cone's origin"});
+    v(c.foot_height, {.name = "foot_height",
+                      .unit = "m",
+                      .range = bit_place,
+                      .meaning = "of the journal's foot above the bit's origin"});
+    v(cone.rolling_ratio, {.name = "rolling_ratio",
+                           .range = Range::within(0.0, 10.0),
+                           .meaning = "speed of a rolling cone over the bit's; 0: computed from "
+                                      "the tooth whose tip is farthest from the bit's axis"});
+  }
+};
 
 /// Computes the table values of a cutter whose parts are meshes. Its place follows from its frame (the
 /// inverse of cutter_pose), its diameter and chamfer from the vertices of face and chamfer. The frame

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "bit/body/blade_body.hpp"
-#include "bit/cutter/cutter.hpp"
 #include "bit/files/design_settings.hpp"
 #include "bit/pdc/pdc_generator.hpp"
 #include "core/types.hpp"

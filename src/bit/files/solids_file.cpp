@@ -9,7 +9,7 @@
 #include "bit/cone/cone_bit.hpp"
 #include "bit/cone/cone_measures.hpp"
 #include "bit/files/file_checks.hpp"
-#include "bit/files/mesh_settings.hpp"
+#include "bit/files/mesh_cutters.hpp"
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "bit/cutter/cutter.hpp"
-#include "bit/cutter/cutter_overlap.hpp"
 #include "core/types.hpp"
 
 namespace tdbd::bit {

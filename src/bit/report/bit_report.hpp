@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bit/bit.hpp"
-#include "bit/cutter/cutter_overlap.hpp"
+#include "bit/cutter/cutter.hpp"
 
 namespace tdbd::bit {
 

@@ -11,7 +11,6 @@
 #include "core/error.hpp"
 #include "core/hash.hpp"
 #include "core/text.hpp"
-#include "simulation/case/spalling_settings.hpp"
 
 namespace tdbd::calibration {
 namespace {

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "bit/areas/read_areas.hpp"
+#include "bit/areas/area_rules.hpp"
 #include "bit/files/bit_file.hpp"
-#include "calibration/case/area_laws.hpp"
 #include "calibration/case/calibration_case.hpp"
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"

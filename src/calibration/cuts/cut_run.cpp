@@ -9,7 +9,7 @@
 #include "bit/files/bit_file.hpp"
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"
-#include "forces/laws/cutter_laws.hpp"
+#include "forces/laws/laws.hpp"
 #include "simulation/step/simulation.hpp"
 
 namespace tdbd::calibration {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "calibration/fit/problem.hpp"
-#include "core/config/key.hpp"
+#include "core/config/field.hpp"
 
 namespace tdbd::calibration {
 

@@ -8,7 +8,7 @@
 #include <regex>
 
 #include "core/config/csv.hpp"
-#include "core/config/key.hpp"
+#include "core/config/field.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 
-#include "calibration/result/calibration_files.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "core/provenance.hpp"
 #include "io/whole_file.hpp"
 #include "simulation/result/summary.hpp"
 
@@ -147,6 +149,222 @@ Calibration calibrate_into(const CalibrationCase& c, const CalibrateOptions& o) 
   write_timing(o.folder, cuts, cut_seconds, fit_seconds);
   write_calibration(o.folder, c, cuts, found);
   return found;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether a file is one that a calibration writes to its folder.
+bool is_result(const fs::path& file) {
+  static const std::regex names(
+      R"((calibration\.json|law(-[0-9.]+MPa)?\.toml|residuals\.csv|predictions\.csv|case\.toml|timing\.json|cuts-[0-9a-f]{16}\.nc)(\.partial)?)");
+  return std::regex_match(file.filename().string(), names);
+}
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& reason) {
+  throw FolderError(fmt::format("output folder {}: {}", folder.string(), reason));
+}
+
+std::string law_file(const FittedSet& set) {
+  if (!set.pressure) return "law.toml";
+  constexpr double Pa_to_MPa = 1e-6;
+  return fmt::format("law-{:.3f}MPa.toml", Pa_to_MPa * *set.pressure);
+}
+
+std::string number(const std::optional<double>& value) {
+  return value ? fmt::format("{}", *value) : "";
+}
+
+std::string header(ToolKind kind) {
+  const auto names = load_names(kind);
+  std::string text = kind == ToolKind::bit ? "test,bit,rock,pressure [Pa],rotary_speed [rad/s],"
+                                             "rate_of_penetration [m/s]"
+                                           : "test,cutter,rock,pressure [Pa],speed [m/s],depth [m]";
+  for (const LoadName& n : names) text += fmt::format(",{} [{}]", n.name, n.si_unit);
+  for (const LoadName& n : names)
+    for (const char* what : {"mean", "se", "low", "high"})
+      text += fmt::format(",{}_{} [{}]", n.name, what, n.si_unit);
+  for (const LoadName& n : names) text += fmt::format(",measured_{} [{}]", n.name, n.si_unit);
+  return text + "\n";
+}
+
+std::string row(ToolKind kind, const Prediction& p) {
+  const Record& r = p.record;
+  std::string text = fmt::format("{},{},{},{},{},{}", r.test, r.tool, r.rock, r.pressure, r.speed,
+                                 kind == ToolKind::bit ? r.rate : r.depth);
+  for (const Reading& reading : r.readings) text += "," + number(reading.value);
+  for (const PredictedLoad& load : p.loads)
+    text += fmt::format(",{},{},{},{}", load.mean, load.se, load.low, load.high);
+  for (const Reading& reading : r.readings) text += "," + number(reading.value);
+  return text + "\n";
+}
+
+using Json = nlohmann::ordered_json;
+
+std::string unit_of(const forces::Law& law, const std::string& key) {
+  forces::Law copy = law;
+  for (const forces::LawField& f : forces::law_fields(copy))
+    if (f.key == key) return std::string(f.unit);
+  return "";
+}
+
+Json coefficient_json(const FittedSet& set, std::size_t k) {
+  const FittedCoefficient& f = set.fit.coefficients[k];
+  Json json{{"unit", unit_of(set.fit.law, law_key(set.fit.problem.unknowns[k]))},
+            {"start", f.start},
+            {"value", f.value},
+            {"se", f.at_bound ? Json() : Json(f.se)},
+            {"low", f.at_bound ? Json() : Json(f.low)},
+            {"high", f.at_bound ? Json() : Json(f.high)},
+            {"from_prior", f.from_prior},
+            {"at_bound", f.at_bound}};
+  const auto& prior = set.fit.problem.unknowns[k].prior_sd;
+  json["prior_sd"] = prior ? Json(*prior) : Json();
+  if (set.replicates.coefficients.empty()) return json;
+  const BootstrapFigures& b = set.replicates.coefficients[k];
+  json["bootstrap"] = {{"mean", b.mean}, {"se", b.se}, {"low", b.low}, {"high", b.high}};
+  return json;
+}
+
+Json direction_json(const FittedSet& set) {
+  Json json = Json::object();
+  for (std::size_t k = 0; k < set.fit.coefficients.size(); ++k)
+    json[set.fit.coefficients[k].key] = set.identifiability.weakest_direction[k];
+  return json;
+}
+
+Json set_json(const FittedSet& set, const std::array<LoadName, 2>& names) {
+  Json coefficients = Json::object();
+  for (std::size_t k = 0; k < set.fit.coefficients.size(); ++k)
+    coefficients[set.fit.coefficients[k].key] = coefficient_json(set, k);
+  Json json;
+  if (set.pressure) json["pressure_pa"] = *set.pressure;
+  json["coefficients"] = coefficients;
+  for (const std::size_t k : {axial, turning})
+    json[fmt::format("objective_{}", names[k].name)] = set.fit.objectives[k];
+  json["chi2"] = set.fit.chi2;
+  json["degrees_of_freedom"] = set.fit.degrees_of_freedom;
+  json["readings"] = set.fit.problem.readings();
+  json["evaluations"] = set.fit.evaluations;
+  json["singular_values"] = set.identifiability.singular_values;
+  json["weakest_direction"] = direction_json(set);
+  json["weakest_direction_in_words"] = in_words(set.fit.problem, set.identifiability);
+  for (const std::size_t k : {axial, turning})
+    json[fmt::format("discrepancy_{}", names[k].name)] =
+        set.discrepancy.reason.empty() ? Json(set.discrepancy.value[k]) : Json();
+  json["bootstrap_replicates"] = set.replicates.replicates;
+  json["bootstrap_failed"] = set.replicates.failed;
+  return json;
+}
+
+void add_errors(const std::vector<Prediction>& predictions, const std::string& what,
+                const std::array<LoadName, 2>& names, Json& json) {
+  const auto errors = errors_of(predictions);
+  for (const std::size_t k : {axial, turning}) {
+    const bool read = errors[k].readings > 0;
+    json[fmt::format("{}_{}_rms", what, names[k].name)] = read ? Json(errors[k].rms) : Json();
+    json[fmt::format("{}_{}_p95", what, names[k].name)] = read ? Json(errors[k].p95) : Json();
+  }
+}
+
+/// Adds the sums of the objectives of separate fits.
+void add_sums(const Calibration& found, const std::array<LoadName, 2>& names, Json& json) {
+  for (const std::size_t k : {axial, turning}) {
+    double sum = 0.0;
+    for (const FittedSet& s : found.sets) sum += s.fit.objectives[k];
+    json[fmt::format("objective_{}", names[k].name)] = sum;
+  }
+  long freedom = 0;
+  for (const FittedSet& s : found.sets) freedom += s.fit.degrees_of_freedom;
+  json["degrees_of_freedom"] = freedom;
+}
+
+}  // namespace
+
+void check_folder(const fs::path& folder, Overwrite overwrite) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) return;
+  if (!fs::is_directory(folder, error)) refuse(folder, "is a file");
+  const bool empty = fs::is_empty(folder, error);
+  if (error) refuse(folder, error.message());
+  if (!empty && overwrite == Overwrite::no) refuse(folder, "exists; --force overwrites");
+}
+
+OutputFolder prepare_folder(const fs::path& folder, Overwrite overwrite,
+                            const std::vector<std::string>& inputs) {
+  check_folder(folder, overwrite);
+  try {
+    fs::create_directories(folder);
+    OutputFolder held{folder, std::make_shared<const FolderLock>(folder)};
+    std::vector<fs::path> old;
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (is_result(entry.path())) old.push_back(entry.path());
+    demand_replaceable(folder, old, inputs);
+    demand_own(folder, "case.toml");
+    for (const fs::path& file : old) fs::remove(file);
+    return held;
+  } catch (const fs::filesystem_error& e) {
+    refuse(folder, e.code().message());
+  }
+}
+
+std::string law_toml(const forces::Law& law) {
+  forces::Law copy = law;
+  std::string text = fmt::format("[forces]\nlaw = \"{}\"\n", forces::law_name(law));
+  for (const forces::LawField& f : forces::law_fields(copy))
+    if (std::isfinite(*f.value))
+      text += fmt::format("{} = {}{}\n", f.key, *f.value,
+                          f.unit == "1" ? "" : fmt::format("  # {}", f.unit));
+  return text;
+}
+
+std::string predictions_csv(ToolKind kind, const std::vector<Prediction>& predictions) {
+  std::string text = header(kind);
+  for (const Prediction& p : predictions) text += row(kind, p);
+  return text;
+}
+
+void write_calibration(const fs::path& folder, const CalibrationCase& c, const CutStore& cuts,
+                       const Calibration& found) {
+  write_text(folder / "case.toml", std::string(resolved_head) + "\n" + c.resolved);
+  for (const fs::path& file : cuts.files)
+    fs::copy_file(file, folder / file.filename(), fs::copy_options::overwrite_existing);
+  for (const FittedSet& set : found.sets)
+    write_text(
+        folder / law_file(set),
+        law_toml(set.fit.law) + areas_toml(areas_at(set.fit.problem, set.fit.values), set.fit.law));
+  write_text(folder / "residuals.csv", predictions_csv(c.records.kind, found.fitted));
+  write_text(folder / "predictions.csv", predictions_csv(c.records.kind, found.predictions));
+  write_text(folder / "calibration.json", to_json(c, found));
+}
+
+std::string to_json(const CalibrationCase& c, const Calibration& found) {
+  const auto names = load_names(c.records.kind);
+  Json json{{"schema", 1},
+            {"command", "calibrate"},
+            {"law", forces::law_name(c.law)},
+            {"pressures", c.pressures == Pressures::combined ? "combined" : "separate"},
+            {"fit_bits", c.fit},
+            {"predict_bits", c.predict}};
+  if (!found.sets.front().pressure) {
+    json.update(set_json(found.sets.front(), names));
+  } else {
+    add_sums(found, names, json);
+    for (const FittedSet& s : found.sets) json["by_pressure"].push_back(set_json(s, names));
+  }
+  add_errors(found.fitted, "fitted_bit_error", names, json);
+  add_errors(found.predictions, "withheld_bit_error", names, json);
+  json["extrapolates"] = !found.extrapolates.empty();
+  json["extrapolates_because"] = found.extrapolates;
+  json["warnings"] = found.warnings;
+  json["interval_level"] = c.intervals.level;
+  json["seed"] = c.intervals.seed;
+  json["records_hash"] = c.records_hash;
+  json["case_hash"] = c.hash;
+  json["version"] = provenance().version;
+  json["commit"] = provenance().commit;
+  return json.dump(2) + "\n";
 }
 
 }  // namespace tdbd::calibration

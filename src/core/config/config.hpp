@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/config/fields.hpp"
-#include "core/config/key.hpp"
+#include "core/config/field.hpp"
 #include "core/types.hpp"
 
 namespace tdbd {

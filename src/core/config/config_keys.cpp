@@ -1,7 +1,14 @@
 #include <fmt/format.h>
 
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
 #include "core/config/config.hpp"
 #include "core/config/config_document.hpp"
+#include "core/config/toml_text.hpp"
+#include "core/hash.hpp"
 
 namespace tdbd {
 namespace {
@@ -134,6 +141,146 @@ std::optional<std::size_t> FieldReader::choose(const NamedChoice& choice) {
   for (std::size_t i = 0; i < choice.names.size(); ++i) names.emplace_back(choice.names[i], i);
   const bool required = choice.need == Need::required;
   return table_.choice<std::size_t>(choice.name, names, required ? std::nullopt : choice.index);
+}
+
+namespace {
+
+constexpr const char* a_word = "a text, a number, or true or false";
+
+/// Returns nothing for a table or an array.
+std::optional<ConfigWord> word_of(const toml::node& node) {
+  if (!node.is_string() && !node.is_number() && !node.is_boolean()) return std::nullopt;
+  const auto text = node.as_string();
+  return ConfigWord{text != nullptr ? text->get() : describe(&node), describe(&node)};
+}
+
+/// Formats a value of any type as one line of TOML.
+std::string one_line(const toml::node& node) {
+  std::ostringstream out;
+  if (const toml::array* array = node.as_array()) {
+    const char* comma = "";
+    out << "[";
+    for (const toml::node& element : *array) {
+      out << comma << one_line(element);
+      comma = ", ";
+    }
+    out << "]";
+    return out.str();
+  }
+  return describe(&node);
+}
+
+}  // namespace
+
+ConfigWord Config::word(std::string_view key, const std::optional<ConfigWord>& fallback) {
+  const std::string name = full(key);
+  const toml::node* node = document_->find(name);
+  if (node == nullptr) {
+    if (!fallback)
+      document_->add_problem(name, "nothing", fmt::format("{} (the key is required)", a_word));
+    const ConfigWord word = fallback.value_or(ConfigWord{"", "\"\""});
+    document_->values.try_emplace(name, ResolvedValue{word.toml, "", ""});
+    return word;
+  }
+  const std::optional<ConfigWord> word = word_of(*node);
+  if (!word) document_->add_problem(name, describe(node), a_word);
+  document_->values.try_emplace(name, ResolvedValue{word ? word->toml : "\"\"", "", ""});
+  return word.value_or(ConfigWord{"", "\"\""});
+}
+
+std::vector<ConfigWord> Config::words(std::string_view key) {
+  const std::string name = full(key);
+  const toml::node* node = document_->find(name);
+  std::vector<ConfigWord> words;
+  const toml::array* array = node == nullptr ? nullptr : node->as_array();
+  if (array == nullptr || array->empty())
+    document_->add_problem(name, array == nullptr ? describe(node) : "no value",
+                           fmt::format("an array of at least one value, each {}", a_word));
+  if (array != nullptr)
+    for (const toml::node& element : *array) {
+      const std::optional<ConfigWord> word = word_of(element);
+      if (!word) document_->add_problem(name, describe(&element), a_word);
+      words.push_back(word.value_or(ConfigWord{"", "\"\""}));
+    }
+  document_->values.try_emplace(name,
+                                ResolvedValue{node == nullptr ? "[]" : one_line(*node), "", ""});
+  return words;
+}
+
+std::vector<std::string> Config::assignments() {
+  std::vector<std::string> all;
+  for (const std::string& name : given()) {
+    const toml::node* node = document_->find(full(name));
+    if (node == nullptr) continue;
+    if (node->is_table()) {
+      for (const std::string& below : table(name).assignments()) all.push_back(name + "." + below);
+      continue;
+    }
+    const std::string value = one_line(*node);
+    document_->values.try_emplace(full(name), ResolvedValue{value, "", ""});
+    all.push_back(name + "=" + value);
+  }
+  return all;
+}
+
+namespace {
+
+/// One step of a dotted key: a name, and the index in an array of tables (-1: a plain table).
+using Step = std::pair<std::string, long>;
+
+/// Splits a key: "layers[2].grading" into {layers, 2}, {grading, -1}.
+std::vector<Step> steps(const std::string& key) {
+  if (key.empty()) return {};
+  std::vector<Step> path = steps(parent_key(key));
+  const std::string last = last_key(key);
+  const std::size_t bracket = last.find('[');
+  const long index = bracket == std::string::npos ? -1 : std::stol(last.substr(bracket + 1));
+  path.emplace_back(last.substr(0, bracket), index);
+  return path;
+}
+
+/// Returns "[[layers]]" or "[layers.grading]"; empty for the top of the file.
+std::string header(const std::vector<Step>& path) {
+  if (path.empty()) return "";
+  std::string dotted;
+  for (const Step& step : path) dotted += (dotted.empty() ? "" : ".") + step.first;
+  return path.back().second < 0 ? fmt::format("\n[{}]\n", dotted)
+                                : fmt::format("\n[[{}]]\n", dotted);
+}
+
+std::string line(const std::string& name, const ResolvedValue& value) {
+  if (value.toml.empty()) return fmt::format("# {}: no limit\n", name);
+  if (value.comment.empty()) return fmt::format("{} = {}\n", name, value.toml);
+  return fmt::format("{} = {}  # {}\n", name, value.toml, value.comment);
+}
+
+std::string text_of(const ConfigDocument& document,
+                    const std::map<std::string, ResolvedValue>& values) {
+  // Ordered by path: an element's tables follow it before the next element starts.
+  std::map<std::vector<Step>, std::string> groups;
+  for (const std::string& key : document.tables)
+    if (document.find(key) != nullptr && document.find(key)->is_table()) groups[steps(key)];
+  for (const auto& [key, value] : values)
+    groups[steps(parent_key(key))] += line(last_key(key), value);
+  std::string out;
+  for (const auto& [path, lines] : groups) out += header(path) + lines;
+  return out;
+}
+
+std::string bytes_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+std::string Config::resolved() const { return text_of(*document_, document_->values); }
+
+std::string Config::fingerprint() const {
+  std::map<std::string, ResolvedValue> values = document_->values;
+  for (auto& [key, value] : values)
+    if (!value.file.empty()) value.toml = toml_string(fnv1a_hex(bytes_of(value.file)));
+  return text_of(*document_, values);
 }
 
 }  // namespace tdbd

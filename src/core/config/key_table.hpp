@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/config/fields.hpp"
-#include "core/config/key.hpp"
+#include "core/config/field.hpp"
 
 namespace tdbd {
 

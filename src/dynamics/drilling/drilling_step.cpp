@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "dynamics/drilling/chained_string.hpp"
-#include "dynamics/drilling/response.hpp"
+#include "dynamics/drilling/stability.hpp"
 #include "dynamics/rotation/drift.hpp"
 
 namespace tdbd::dynamics {

@@ -1,6 +1,6 @@
 #include "dynamics/drilling/resisted_flow.hpp"
 
-#include "dynamics/drilling/response.hpp"
+#include "dynamics/drilling/stability.hpp"
 #include "dynamics/drilling/wall_secants.hpp"
 #include "dynamics/momenta.hpp"
 

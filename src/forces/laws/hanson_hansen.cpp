@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forces/part/directions.hpp"
+#include "forces/part/part_cut.hpp"
 
 namespace tdbd::forces {
 namespace {

@@ -4,7 +4,6 @@
 #include <span>
 #include <string_view>
 
-#include "forces/part/directions.hpp"
 #include "forces/part/part_cut.hpp"
 
 namespace tdbd::forces {
@@ -16,7 +15,7 @@ namespace tdbd::forces {
 ///   B1   = A1 (1 + A2 tan Ebr),  B2 = tan(Ebr + A3), not below 0
 ///   face:    Ft = Scc (B1 Acut + A4 te De),  Fn = B2 Ft
 ///   chamfer: Fn = A5 Scc A,  Ft = A6 Fn      A: contact area
-///   F    = -Ft E1 - Fn E2 for both           forces (3), directions.hpp
+///   F    = -Ft E1 - Fn E2 for both           forces (3), part_cut.hpp
 ///   other surfaces of a cutter (cse, cutter_body):  Fn <= A7 Scc A,  Ft <= A8 Fn,  forces (4)
 /// Rs of the thesis is interpreted as the slope of Scc over pressure: pressure_share times that of
 /// the rock. Ebr + A3 is limited to +-80 degrees. A7 and A8 have an effect only on bits with cse

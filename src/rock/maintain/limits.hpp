@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/config/fields.hpp"
+#include "core/config/field.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/surface.hpp"
 #include "rock/rock.hpp"

@@ -14,8 +14,6 @@
 #include "simulation/case/motion.hpp"
 #include "simulation/case/rock_settings.hpp"
 #include "simulation/case/run_settings.hpp"
-#include "simulation/case/spalling_settings.hpp"
-#include "simulation/case/wear_settings.hpp"
 
 namespace tdbd::simulation {
 

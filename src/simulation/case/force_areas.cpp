@@ -8,7 +8,7 @@
 #include <set>
 #include <span>
 
-#include "bit/areas/read_areas.hpp"
+#include "bit/areas/area_rules.hpp"
 #include "simulation/case/force_settings.hpp"
 
 namespace tdbd::simulation {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bit/bit.hpp"
-#include "core/config/fields.hpp"
+#include "core/config/field.hpp"
 #include "core/types.hpp"
 #include "dynamics/drilling/drilling_system.hpp"
 

@@ -9,7 +9,6 @@
 #include "simulation/case/drilling_settings.hpp"
 #include "simulation/case/force_settings.hpp"
 #include "simulation/case/rock_settings.hpp"
-#include "simulation/case/wear_settings.hpp"
 
 namespace tdbd::simulation {
 namespace {

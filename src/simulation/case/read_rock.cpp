@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "bit/areas/area_rules.hpp"
+#include "bit/cutter/cutter.hpp"
+#include "core/types.hpp"
 #include "simulation/case/rock_settings.hpp"
+#include "simulation/case/run_settings.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -97,6 +102,155 @@ forces::Formation read_formation(Config c) {
                     "a top below that of the layer above");
   }
   return f;
+}
+
+namespace {
+
+bool is_face(const bit::Part& part) { return part.kind == bit::PartKind::face && part.cutter >= 0; }
+
+void check_angle(Config& c, double angle) {
+  if (c.has("angle") && !(angle > 0.0 && angle < right_angle))
+    c.problem("angle", fmt::format("{:g} degrees", angle / degree), "an angle in (0, 90) degrees");
+}
+
+void require_faces(Config& c, const bit::Bit& bit, const std::vector<int>& parts) {
+  for (const int p : parts)
+    if (const bit::Part& part = bit.parts[at(p)]; !is_face(part))
+      return c.problem("", fmt::format("{}, which is not the face of a cutter", part.name),
+                       "criteria that select faces, because rock breaks out only beside them");
+}
+
+/// The properties that each area defines.
+std::vector<BreakoutArea> read_area_rules(bit::Areas& areas, const bit::Bit& bit) {
+  std::vector<BreakoutArea> given(areas.tables.size());
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    Config& c = areas.tables[i].config;
+    BreakoutArea& g = given[i];
+    require_faces(c, bit, bit::parts_of_rule(areas, static_cast<int>(i)));
+    read_fields(c, g);
+    if (g.angle) check_angle(c, *g.angle);
+    if (!g.angle && !g.depth_share && !g.ahead_share)
+      c.problem("", "no property", "angle, depth_share or ahead_share");
+  }
+  return given;
+}
+
+/// A property of breakout rules that areas may change.
+struct RuleProperty {
+  const char* key;
+  std::optional<double> BreakoutArea::*given;
+  double rock::BreakoutRule::*value;
+  const char* unit;
+  double in_unit;
+};
+
+/// `rules`: per part.
+void read_spalling_areas(Config& c, const bit::Bit& bit, const std::string& where,
+                         std::vector<rock::BreakoutRule>& rules) {
+  using Area = BreakoutArea;
+  using Rule = rock::BreakoutRule;
+  if (!c.has("areas")) return;
+  bit::Areas areas = bit::read_areas(c.table("areas"), bit, where);
+  const std::vector<Area> given = read_area_rules(areas, bit);
+  for (const RuleProperty& p :
+       {RuleProperty{"angle", &Area::angle, &Rule::angle, " degrees", degree},
+        RuleProperty{"depth_share", &Area::depth_share, &Rule::depth_share, "", 1.0},
+        RuleProperty{"ahead_share", &Area::ahead_share, &Rule::ahead_share, "", 1.0}}) {
+    std::vector<std::optional<double>> values;
+    std::vector<std::string> shown;
+    for (const Area& g : given) {
+      values.push_back(g.*p.given);
+      shown.push_back(fmt::format("{:g}{}", values.back().value_or(0.0) / p.in_unit, p.unit));
+    }
+    const std::vector<int> area = bit::decide_or_report(areas, bit, p.key, values, shown);
+    for (std::size_t i = 0; i < bit.parts.size(); ++i)
+      if (area[i] >= 0) rules[i].*p.value = *values[at(area[i])];
+  }
+}
+
+/// Rock moves along the update direction until it is below the crack. The direction must therefore
+/// lead out of the rock on both sides.
+void require_way_out(Config& c, const bit::Bit& bit, const bit::Part& face, double angle) {
+  constexpr double least = 0.05;  // sine of the angle between crack and direction
+  const bit::Cutter& cutter = bit.cutters[at(face.cutter)];
+  const Vec3 normal_B = bit::profile_normal_B(cutter),
+             across_B = bit::direction_of_motion_B(cutter).cross(normal_B);
+  const Vec3 u_B = Eigen::AngleAxisd(cutter.azimuth, Vec3::UnitZ()) * face.update_direction_B;
+  const double leans = std::atan2(std::abs(u_B.dot(across_B)), u_B.dot(normal_B));
+  if (std::sin(angle - leans) < least)
+    c.problem("angle",
+              fmt::format("{:g} degrees for {}, which moves rock at {:.1f} degrees from the "
+                          "profile's normal",
+                          angle / degree, face.name, leans / degree),
+              fmt::format("more than {:.1f} degrees for it", (leans + std::asin(least)) / degree));
+}
+
+/// Whether rock of each bed breaks out.
+std::vector<std::uint8_t> breaking_beds(Config& c, Config& whole, double most,
+                                        const ForcePlan& forces) {
+  BreakingMaterial breaking;
+  read_fields(c, breaking);
+  const bool any = !breaking.material;
+  const std::string material = breaking.material.value_or("");
+  const bool is_known = forces.forces == Forces::on || !any;
+  const std::vector<Bed> beds =
+      read_beds(whole.table(RockStart::table), is_known ? BedMaterial::read : BedMaterial::unknown);
+  std::vector<std::uint8_t> breaks;
+  std::string names;
+  bool is_there = any;
+  for (const Bed& bed : beds) {
+    const bool is_it = any || bed.material.name == material;
+    is_there = is_there || is_it;
+    breaks.push_back(is_it && bed.confining_pressure <= most);
+    names += (names.empty() ? "" : ", ") + bed.material.name;
+  }
+  if (!is_there)
+    c.problem("material", fmt::format("\"{}\"", material),
+              fmt::format("a rock of [rock]: {}", names));
+  return breaks;
+}
+
+void require_spalling_bit(Config& c, const bit::Bit& bit, const MeasurePlan& measure) {
+  if (bit.parts.empty()) return;  // its mistakes are already recorded
+  if (std::ranges::none_of(bit.parts, is_face))
+    c.problem("", "a bit without faces of cutters", "a bit with cutters");
+  if (measure.section == SectionMeasure::off)
+    c.problem("", "measure.section = \"off\"",
+              "sections: cracks start at the ends of the engaged edge");
+}
+
+}  // namespace
+
+BreakoutSettings read_breakout_rule(Config& c) {
+  BreakoutSettings s;
+  read_fields(c, s);
+  check_angle(c, s.rule.angle);
+  return s;
+}
+
+SpallingPlan read_spalling(Config& whole, const bit::Bit& bit, const MeasurePlan& measure,
+                           const ForcePlan& forces, std::vector<CaseWarning>& warnings) {
+  SpallingPlan plan;
+  if (!whole.has(BreakoutSettings::table)) return plan;
+  Config c = whole.table(BreakoutSettings::table);
+  const BreakoutSettings settings = read_breakout_rule(c);
+  std::vector<rock::BreakoutRule> rules(bit.parts.size(), settings.rule);
+  const std::string where = fmt::format("{} of {}", bit.name, read_table<BitSettings>(whole).file);
+  read_spalling_areas(c, bit, where, rules);
+  require_spalling_bit(c, bit, measure);
+  plan.beds = breaking_beds(c, whole, settings.up_to_pressure, forces);
+  if (whole.problem_count() > 0) return {};
+  plan.rules.resize(bit.cutters.size());
+  for (std::size_t p = 0; p < bit.parts.size(); ++p) {
+    if (!is_face(bit.parts[p]) || !breaks_out(rules[p])) continue;
+    if (rules[p].depth_share > 0.0) require_way_out(c, bit, bit.parts[p], rules[p].angle);
+    plan.rules[at(bit.parts[p].cutter)] = rules[p];
+  }
+  if (std::ranges::any_of(plan.beds, [](std::uint8_t breaks) { return breaks != 0; })) return plan;
+  warnings.push_back({whole.place(BreakoutSettings::table.name),
+                      std::string(BreakoutSettings::table.name),
+                      "no rock breaks out: all of it is confined by more than up_to_pressure"});
+  return {};
 }
 
 }  // namespace tdbd::simulation

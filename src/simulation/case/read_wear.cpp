@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "bit/areas/read_areas.hpp"
+#include "bit/areas/area_rules.hpp"
 #include "core/types.hpp"
+#include "simulation/case/force_settings.hpp"
 #include "simulation/case/run_settings.hpp"
-#include "simulation/case/wear_settings.hpp"
 
 namespace tdbd::simulation {
 namespace {

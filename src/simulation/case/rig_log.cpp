@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/config/field_table.hpp"
+#include "core/config/csv.hpp"
 #include "core/error.hpp"
 #include "simulation/case/string_settings.hpp"
 #include "simulation/case/top_settings.hpp"

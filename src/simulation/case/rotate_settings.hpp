@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "core/config/fields.hpp"
+#include "core/config/field.hpp"
 #include "dynamics/gyrostat.hpp"
 #include "dynamics/integrator.hpp"
 #include "dynamics/loads.hpp"

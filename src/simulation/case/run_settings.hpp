@@ -7,7 +7,7 @@
 
 #include "bit/cone/cone_bit.hpp"
 #include "bit/update_direction.hpp"
-#include "core/config/fields.hpp"
+#include "core/config/field.hpp"
 #include "rock/cut/cutting_bit.hpp"
 #include "rock/section/section.hpp"
 #include "simulation/case/string_settings.hpp"

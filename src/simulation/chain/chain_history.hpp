@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "simulation/chain/chain_simulation.hpp"
+#include "simulation/chain/chain_run.hpp"
 #include "simulation/result/chain_record.hpp"
 
 namespace tdbd::simulation {

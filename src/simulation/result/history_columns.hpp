@@ -9,7 +9,7 @@
 #include "rock/section/contact_area.hpp"
 #include "rock/section/section.hpp"
 #include "simulation/result/figures.hpp"
-#include "simulation/step/load_figures.hpp"
+#include "simulation/step/loads.hpp"
 
 namespace tdbd::simulation {
 

@@ -8,7 +8,6 @@
 #include "mesh/files/ply.hpp"
 #include "mesh/files/vtp.hpp"
 #include "mesh/measures.hpp"
-#include "simulation/start/rock_stamp.hpp"
 #include "simulation/start/rock_start.hpp"
 #include "simulation/step/wear_step.hpp"
 

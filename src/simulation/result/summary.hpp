@@ -13,7 +13,7 @@
 #include "simulation/case/run_settings.hpp"
 #include "simulation/result/figures.hpp"
 #include "simulation/step/drive.hpp"
-#include "simulation/step/load_figures.hpp"
+#include "simulation/step/loads.hpp"
 #include "simulation/step/measure.hpp"
 #include "simulation/step/simulation.hpp"
 

@@ -9,7 +9,6 @@
 #include "simulation/case/rotate_settings.hpp"
 #include "simulation/case/run_settings.hpp"
 #include "simulation/rotate/rotate_body.hpp"
-#include "simulation/rotate/rotate_loads.hpp"
 
 namespace tdbd::simulation {
 namespace {

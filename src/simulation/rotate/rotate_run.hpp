@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "simulation/result/run_loop.hpp"
+#include "simulation/result/run.hpp"
 #include "simulation/rotate/rotate_record.hpp"
 #include "simulation/rotate/rotate_simulation.hpp"
 

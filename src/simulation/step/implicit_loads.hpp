@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "dynamics/drilling/response.hpp"
+#include "dynamics/drilling/stability.hpp"
 #include "simulation/step/loads.hpp"
 
 namespace tdbd::simulation {

@@ -7,8 +7,8 @@
 #include "core/compensated_sum.hpp"
 #include "dynamics/drilling/drilling_step.hpp"
 #include "rock/cut/cut_rock.hpp"
+#include "rock/maintain/collapse.hpp"
 #include "rock/maintain/maintain.hpp"
-#include "rock/maintain/trim.hpp"
 #include "rock/rock.hpp"
 #include "rock/section/rubbing_contact.hpp"
 #include "rock/start/space_order.hpp"
@@ -18,7 +18,7 @@
 #include "simulation/step/diagnosis.hpp"
 #include "simulation/step/drive.hpp"
 #include "simulation/step/implicit_step.hpp"
-#include "simulation/step/load_figures.hpp"
+#include "simulation/step/loads.hpp"
 #include "simulation/step/measure.hpp"
 #include "simulation/step/wear.hpp"
 

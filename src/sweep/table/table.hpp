@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "sweep/design/design.hpp"
-#include "sweep/design/points.hpp"
 #include "sweep/table/journal.hpp"
 
 namespace tdbd::sweep {

@@ -1,5 +1,3 @@
-#include "bit/cutter/cutter_overlap.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "calibration/cuts/cut_run.hpp"
 #include "calibration/fit/problem.hpp"
 #include "forces/generate.hpp"
-#include "forces/laws/cutter_laws.hpp"
+#include "forces/laws/laws.hpp"
 #include "reference/forces/groove_by_strips.hpp"
 
 namespace tdbd::calibration::groove_cut_test {

@@ -1,5 +1,3 @@
-#include "calibration/result/calibration_files.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +8,7 @@
 
 #include "calibration/fit/trust_region.hpp"
 #include "calibration/made_up_laboratory.hpp"
+#include "calibration/result/calibrate.hpp"
 #include "core/provenance.hpp"
 
 namespace tdbd::calibration::calibration_files_test {

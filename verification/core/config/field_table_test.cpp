@@ -1,7 +1,6 @@
-#include "core/config/field_table.hpp"
-
 #include <gtest/gtest.h>
 
+#include "core/config/csv.hpp"
 #include "core/error.hpp"
 #include "verification/core/temporary_file.hpp"
 

@@ -1,8 +1,7 @@
-#include "core/config/fields.hpp"
-
 #include <gtest/gtest.h>
 
 #include "core/config/config.hpp"
+#include "core/config/field.hpp"
 #include "core/config/key_table.hpp"
 #include "core/error.hpp"
 #include "core/temporary_file.hpp"

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "core/observed_order.hpp"
-#include "dynamics/drilling/response.hpp"
+#include "dynamics/drilling/stability.hpp"
 #include "reference/dynamics/ode.hpp"
 #include "verification/battery/evidence.hpp"
 #include "verification/battery/generators.hpp"

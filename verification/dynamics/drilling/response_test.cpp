@@ -1,9 +1,8 @@
-#include "dynamics/drilling/response.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
 
+#include "dynamics/drilling/stability.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 
 namespace tdbd::dynamics::response_test {

@@ -8,7 +8,7 @@
 
 #include "core/observed_order.hpp"
 #include "dynamics/drilling/resisted_flow.hpp"
-#include "dynamics/drilling/response.hpp"
+#include "dynamics/drilling/stability.hpp"
 #include "rotation/quaternion.hpp"
 #include "verification/dynamics/drilling/coupled_bit.hpp"
 #include "verification/dynamics/drilling/drilling_run.hpp"

@@ -2,8 +2,7 @@
 
 #include "forces/generate.hpp"
 #include "forces/law.hpp"
-#include "forces/laws/contact_laws.hpp"
-#include "forces/laws/cutter_laws.hpp"
+#include "forces/laws/laws.hpp"
 
 namespace tdbd::forces::detournay_test {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "forces/generate.hpp"
-#include "forces/laws/cutter_laws.hpp"
+#include "forces/laws/laws.hpp"
 #include "forces/rock/rock_material.hpp"
 #include "reference/forces/chip_balance.hpp"
 #include "reference/forces/groove_by_strips.hpp"

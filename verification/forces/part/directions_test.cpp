@@ -1,8 +1,7 @@
-#include "forces/part/directions.hpp"
-
 #include <gtest/gtest.h>
 
 #include "forces/generate.hpp"
+#include "forces/part/part_cut.hpp"
 
 namespace tdbd::forces::directions_test {
 

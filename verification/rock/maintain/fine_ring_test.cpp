@@ -6,11 +6,11 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "rock/maintain/collapse.hpp"
 #include "rock/maintain/limits.hpp"
 #include "rock/maintain/maintain.hpp"
 #include "rock/maintain/ring_notes.hpp"
 #include "rock/maintain/touched_region.hpp"
-#include "rock/maintain/trim.hpp"
 #include "rock/start/space_order.hpp"
 #include "verification/battery/generators.hpp"
 #include "verification/rock/bumpy_sheet.hpp"

@@ -7,7 +7,7 @@
 #include "bit/cone/cone_measures.hpp"
 #include "core/error.hpp"
 #include "core/temporary_file.hpp"
-#include "forces/laws/contact_laws.hpp"
+#include "forces/laws/laws.hpp"
 #include "simulation/case/case.hpp"
 #include "simulation/case/drilling_settings.hpp"
 

@@ -8,7 +8,7 @@
 #include "core/temporary_file.hpp"
 #include "simulation/case/case.hpp"
 #include "simulation/case/force_settings.hpp"
-#include "simulation/chain/chain_simulation.hpp"
+#include "simulation/chain/chain_run.hpp"
 #include "simulation/rotate/rotate_case.hpp"
 
 /// Cases that together give every declared key.

@@ -12,7 +12,7 @@
 #include "simulation/case/case.hpp"
 #include "simulation/case/case_kind.hpp"
 #include "simulation/case/force_settings.hpp"
-#include "simulation/chain/chain_simulation.hpp"
+#include "simulation/chain/chain_run.hpp"
 #include "simulation/rotate/rotate_case.hpp"
 #include "verification/simulation/case/covering_cases.hpp"
 

@@ -8,7 +8,7 @@
 #include "core/read_file.hpp"
 #include "io/archive.hpp"
 #include "simulation/case/top_settings.hpp"
-#include "simulation/chain/chain_simulation.hpp"
+#include "simulation/chain/chain_run.hpp"
 #include "simulation/step/simulation.hpp"
 #include "verification/core/temporary_file.hpp"
 

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "core/temporary_file.hpp"
-#include "simulation/chain/chain_simulation.hpp"
+#include "simulation/chain/chain_run.hpp"
 #include "simulation/result/run.hpp"
 #include "verification/simulation/mesh_bit.hpp"
 

@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "core/types.hpp"
 #include "simulation/case/case.hpp"
-#include "simulation/case/spalling_settings.hpp"
+#include "simulation/case/rock_settings.hpp"
 
 namespace tdbd::simulation::case_spalling_test {
 namespace {

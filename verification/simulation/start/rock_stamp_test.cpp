@@ -1,5 +1,3 @@
-#include "simulation/start/rock_stamp.hpp"
-
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
@@ -7,6 +5,7 @@
 #include "mesh/files/files.hpp"
 #include "mesh/files/ply.hpp"
 #include "simulation/mesh_bit.hpp"
+#include "simulation/start/rock_start.hpp"
 #include "verification/battery/shapes.hpp"
 
 namespace tdbd::simulation::rock_stamp_test {

@@ -1,10 +1,10 @@
-#include "simulation/step/load_figures.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <random>
+
+#include "simulation/step/loads.hpp"
 
 namespace tdbd::simulation::load_figures_test {
 

@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 #include "simulation/case/case.hpp"
-#include "simulation/case/wear_settings.hpp"
+#include "simulation/case/force_settings.hpp"
 
 namespace tdbd::simulation::case_wear_test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sweep/design/points.hpp"
+#include "sweep/design/design.hpp"
 #include "verification/battery/generators.hpp"
 
 namespace tdbd::sweep::levels_test {

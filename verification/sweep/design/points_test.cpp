@@ -1,11 +1,10 @@
-#include "sweep/design/points.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <set>
 
+#include "sweep/design/design.hpp"
 #include "verification/battery/generators.hpp"
 
 namespace tdbd::sweep::points_test {

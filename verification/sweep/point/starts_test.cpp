@@ -1,8 +1,7 @@
-#include "sweep/point/starts.hpp"
-
 #include <gtest/gtest.h>
 
 #include "core/read_file.hpp"
+#include "sweep/point/run_point.hpp"
 #include "sweep/sweep.hpp"
 #include "verification/sweep/small_design.hpp"
 

@@ -10,7 +10,7 @@
 #include "bit/cutter/cutter_table.hpp"
 #include "core/error.hpp"
 #include "forces/laws/hanson_hansen.hpp"
-#include "forces/part/directions.hpp"
+#include "forces/part/part_cut.hpp"
 #include "reference/literature/drag/spokes/hanson_hansen_law.hpp"
 #include "reference/literature/drag/spokes/hanson_hansen_pdc.hpp"
 #include "reference/literature/drag/spokes/hanson_hansen_teeth.hpp"

@@ -9,7 +9,7 @@
 #include "battery/generators.hpp"
 #include "core/error.hpp"
 #include "core/types.hpp"
-#include "forces/laws/cutter_laws.hpp"
+#include "forces/laws/laws.hpp"
 #include "literature/drag/wear/glowka_laws.hpp"
 #include "reference/forces/groove_by_strips.hpp"
 #include "reference/literature/drag/wear/glowka_cutter.hpp"

@@ -1,4 +1,4 @@
-#include "forces/part/directions.hpp"
+#include "forces/part/part_cut.hpp"
 
 #include <algorithm>
 #include <cmath>
