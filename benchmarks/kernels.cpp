@@ -218,11 +218,11 @@ void sections(benchmark::State& state) {
 /// One iteration measures the contact areas of all parts of the standard workload after a step.
 void contact_areas(benchmark::State& state) {
   Drilling d = after_one_revolution("standard-workload", edge_length);
-  const double gap = d.plan.measure.contact_gap * edge_length;
+  const rock::ContactOptions options{d.plan.measure.contact_gap * edge_length, {}};
   rock::ContactWork work;
   std::vector<rock::PartContact> contacts;
   for (auto _ : state) {
-    rock::contact_areas(d.run.state.rock, d.run.work.cutting, d.run.work.cut_work, gap, work,
+    rock::contact_areas(d.run.state.rock, d.run.work.cutting, d.run.work.cut_work, options, work,
                         contacts);
     benchmark::DoNotOptimize(contacts.data());
   }
@@ -232,7 +232,8 @@ void contact_areas(benchmark::State& state) {
 void measures_in_a_run(benchmark::State& state) {
   Drilling d = after_one_revolution("standard-workload", edge_length);
   const simulation::MeasurePlan plan = d.plan.measure;
-  d.plan.measure = {simulation::SectionMeasure::off, 1.0, simulation::ContactMeasure::off, 1.0};
+  d.plan.measure.section = simulation::SectionMeasure::off;
+  d.plan.measure.contact = simulation::ContactMeasure::off;
   for (auto _ : state) {
     drill(d, 1);
     const simulation::Move move{pose_after(d, -1.0), pose_after(d, 0.0), d.plan.time.step, 0.0, 1};

@@ -1,20 +1,37 @@
-# cmake --install: the program, the rooms as static libraries, their headers and the CMake package tdbd.
+# cmake --install: the program, the modules as static libraries, the public headers and the CMake package
+# tdbd.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(TDBD_ROOMS core io rotation mesh bit rock forces dynamics string simulation calibration sweep)
+set(TDBD_MODULES core io rotation mesh bit rock forces dynamics string simulation calibration sweep)
 set(TDBD_PACKAGE_FOLDER "${CMAKE_INSTALL_LIBDIR}/cmake/tdbd")
 
-# mesh_cgal and flags only follow the rooms that link them.
-foreach(room IN LISTS TDBD_ROOMS ITEMS mesh_cgal flags)
-  set_target_properties(tdbd_${room} PROPERTIES EXPORT_NAME ${room})
-  add_library(tdbd::${room} ALIAS tdbd_${room})
-  install(TARGETS tdbd_${room} EXPORT tdbd ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+# mesh_cgal and flags only follow the modules that link them.
+foreach(module IN LISTS TDBD_MODULES ITEMS mesh_cgal flags)
+  set_target_properties(tdbd_${module} PROPERTIES EXPORT_NAME ${module})
+  add_library(tdbd::${module} ALIAS tdbd_${module})
+  install(TARGETS tdbd_${module} EXPORT tdbd ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 endforeach()
-foreach(room IN LISTS TDBD_ROOMS)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/src/${room}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/tdbd"
-          FILES_MATCHING PATTERN "*.hpp")
+# The public headers and all that they include.
+set(list_of_headers "${PROJECT_SOURCE_DIR}/src/public_headers.txt")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${list_of_headers}")
+file(STRINGS "${list_of_headers}" waiting REGEX "^[^#]")
+set(installed "")
+while(waiting)
+  list(POP_FRONT waiting header)
+  if(NOT header IN_LIST installed AND EXISTS "${PROJECT_SOURCE_DIR}/src/${header}")
+    list(APPEND installed "${header}")
+    file(STRINGS "${PROJECT_SOURCE_DIR}/src/${header}" includes REGEX "^#include \"")
+    foreach(include IN LISTS includes)
+      string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" included "${include}")
+      list(APPEND waiting "${included}")
+    endforeach()
+  endif()
+endwhile()
+foreach(header IN LISTS installed)
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES "${PROJECT_SOURCE_DIR}/src/${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/tdbd/${folder}")
 endforeach()
 target_include_directories(tdbd_flags INTERFACE "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/tdbd>")
 

@@ -18,8 +18,8 @@ if(TDBD_CCACHE)
       "${TDBD_CCACHE}")
 endif()
 
-# The rooms go into the program and into the Python module, a shared library: code that may lie anywhere. Names stay
-# inside, so that a call from room to room costs no more than in a program.
+# The modules go into the program and into the Python module, a shared library: code that may lie anywhere. Names stay
+# inside, so that a call from module to module costs no more than in a program.
 function(tdbd_shareable name)
   set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON)

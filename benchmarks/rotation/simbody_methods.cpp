@@ -2,6 +2,11 @@
 // as a separate body on a Pin. Compiled as C++17, because Simbody 3.7 compares its indices in a way
 // that is ambiguous in C++20.
 
+// Our headers use std::numbers, which C++17 does not have.
+namespace std::numbers {
+inline constexpr double pi = 3.141592653589793238;
+}
+
 #include <Simbody.h>
 
 #include "benchmarks/rotation/method.hpp"

@@ -152,10 +152,9 @@ void NetcdfFile::put(int variable, const std::vector<signed char>& values) {
 void NetcdfFile::put(int variable, const std::vector<std::string>& texts) {
   const NetcdfLock lock(netcdf_mutex());
   errno = 0;
-  for (std::size_t at = 0; at < texts.size(); ++at) {
-    const char* bytes = texts[at].c_str();
-    require(nc_put_var1_string(id_, variable, &at, &bytes));
-  }
+  std::vector<const char*> bytes(texts.size());
+  std::ranges::transform(texts, bytes.begin(), [](const std::string& s) { return s.c_str(); });
+  if (!bytes.empty()) require(nc_put_var_string(id_, variable, bytes.data()));
 }
 
 void NetcdfFile::put_rows(int variable, std::size_t first, std::size_t count, std::size_t width,

@@ -38,6 +38,22 @@ def check_pages(prefix):
             sys.exit(f"{file} is not what the program prints")
 
 
+def check_headers(a, prefix, work):
+    """The public headers are installed and compile in one file, with the flags of an example."""
+    lines = (a.source / "src/public_headers.txt").read_text(encoding="utf-8").split("\n")
+    headers = [line for line in lines if line and not line.startswith("#")]
+    missing = [header for header in headers if not (prefix / "include/tdbd" / header).is_file()]
+    if missing:
+        sys.exit(f"public headers that were not installed: {', '.join(missing)}")
+    unit = work / "headers.cpp"
+    unit.write_text("".join(f'#include "{header}"\n' for header in headers), encoding="utf-8")
+    commands = json.loads((work / "ask_force_law/compile_commands.json").read_text(encoding="utf-8"))
+    words = commands[0]["command"].split()
+    folders = [word for before, word in zip(words, words[1:]) if before == "-isystem"]
+    flags = [word for word in words if word.startswith(("-I", "-D", "-std"))]
+    run(a.compiler, *flags, *(f"-isystem{folder}" for folder in folders), "-fsyntax-only", unit)
+
+
 def build(a, prefix, work, name):
     folder = work / name
     run(a.cmake, "-S", a.source / "examples" / name, "-B", folder, "-G", "Ninja",
@@ -86,6 +102,7 @@ def main():
         check_drilling(a, prefix, work)
         print(run(build(a, prefix, work, "rotate_body_with_cones")))
         print(run(build(a, prefix, work, "ask_force_law")))
+        check_headers(a, prefix, work)
 
 
 if __name__ == "__main__":

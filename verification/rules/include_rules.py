@@ -1,4 +1,4 @@
-"""Includes point one way: a room of src includes only rooms below it, a sub-folder only sub-folders of its room below it.
+"""Includes point one way: a module of src includes only modules below it, a sub-folder only sub-folders of its module below it.
 
 No file is included in a circle either."""
 
@@ -17,7 +17,7 @@ ALLOWED = {
     "forces": FORCES, "dynamics": DYNAMICS, "string": STRING, "simulation": SIMULATION, "calibration": CALIBRATION,
     "sweep": CALIBRATION | {"sweep"}, "app": CALIBRATION | {"sweep", "app"},
 }
-# The sub-folders of each room, from the lowest to the highest; "." are the files of the room itself, but for
+# The sub-folders of each module, from the lowest to the highest; "." are the files of the module itself, but for
 # those that stand here by name.
 SUB_FOLDERS = {
     "core": (".", "units", "units.cpp", "config"),
@@ -41,7 +41,7 @@ PLAIN_DATA = re.compile(r"(core|io)/.+|mesh/triangle_mesh\.hpp|bit/bit\.hpp|forc
 TOOL_DATA = re.compile(PLAIN_DATA.pattern + r"|mesh/(files/files|measures)\.hpp|simulation/rotate/rotate_case\.hpp")
 # The comparison runs the models of chapter 2 beside the program itself.
 COMPARE_DATA = re.compile(PLAIN_DATA.pattern + r"|(core|io|bit|forces|simulation)/.+")
-# The Python module stands where the command line does: above all rooms, beside app.
+# The Python module stands where the command line does: above all modules, beside app.
 PYTHON_DATA = re.compile(rf"({'|'.join(sorted(CALIBRATION))})/.+|python/src/.+")
 CGAL_ALLOWED = re.compile(
     r"src/mesh/(files/files|repair/repair_cgal|check/self_intersections)\.cpp|benchmarks/corefinement\.cpp|reference/.+|verification/.+")
@@ -51,19 +51,19 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 def sub_folder(path):
     """Of a path below src: "cut" of rock/cut/prism.hpp, "." of rock/rock.hpp."""
-    room, *rest = path.split("/")
-    return rest[0] if len(rest) > 1 or rest[0] in SUB_FOLDERS[room] else "."
+    module, *rest = path.split("/")
+    return rest[0] if len(rest) > 1 or rest[0] in SUB_FOLDERS[module] else "."
 
 
 def check_sub_folder(path, target):
-    """Why a file of src may not include that header of its own room, or None. Paths below src."""
-    room = path.split("/")[0]
-    known, own, other = SUB_FOLDERS[room], sub_folder(path), sub_folder(target)
+    """Why a file of src may not include that header of its own module, or None. Paths below src."""
+    module = path.split("/")[0]
+    known, own, other = SUB_FOLDERS[module], sub_folder(path), sub_folder(target)
     for sub in (own, other):
         if sub not in known:
-            return f"the sub-folder {sub} of src/{room} has no place in include_rules.py"
+            return f"the sub-folder {sub} of src/{module} has no place in include_rules.py"
     if known.index(other) > known.index(own):
-        return f"src/{room}/{own} may not include src/{room}/{other}, which is above it"
+        return f"src/{module}/{own} may not include src/{module}/{other}, which is above it"
     return None
 
 

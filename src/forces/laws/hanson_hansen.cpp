@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "forces/part/part_cut.hpp"
+#include "forces/part/directions.hpp"
 
 namespace tdbd::forces {
 namespace {

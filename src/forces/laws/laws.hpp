@@ -3,6 +3,7 @@
 #include <span>
 #include <string_view>
 
+#include "forces/part/directions.hpp"
 #include "forces/part/part_cut.hpp"
 
 namespace tdbd::forces {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "bit/cutter/cutter.hpp"
-#include "forces/part/part_cut.hpp"
+#include "forces/part/directions.hpp"
 
 namespace tdbd::simulation {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/types.hpp"
-#include "forces/part/part_cut.hpp"
+#include "forces/part/directions.hpp"
 #include "simulation/step/cuts.hpp"
 #include "simulation/step/diagnosis.hpp"
 #include "simulation/step/measure.hpp"

@@ -19,7 +19,7 @@ LaboratoryCase laboratory(const Noise& noise, std::uint64_t seed = 1) {
 /// Logarithms of the loads over those of a laboratory without noise.
 std::vector<std::array<double, 2>> errors(const LaboratoryCase& c) {
   const CutStore cuts = made_up_cuts(c.setup);
-  const auto noisy = drill(c, cuts), true_ones = drill(laboratory({}), cuts);
+  const auto noisy = drill(c, cuts), true_ones = drill(laboratory({.reading = 0.0}), cuts);
   std::vector<std::array<double, 2>> all;
   for (std::size_t i = 0; i < noisy.size(); ++i)
     all.push_back(
@@ -38,14 +38,14 @@ TEST(Laboratory, the_same_seed_gives_the_same_records) {
 
 /// Four records of two loads make a test; 1e-14 is rounding of logarithms.
 TEST(Laboratory, a_factor_is_common_to_a_test) {
-  const auto e = errors(laboratory({.test = 0.05}));
+  const auto e = errors(laboratory({.reading = 0.0, .test = 0.05}));
   for (std::size_t i = 0; i < e.size(); ++i)
     for (const double one : e[i]) EXPECT_NEAR(one, e[4 * (i / 4)][axial], 1e-14);
   EXPECT_GT(std::abs(e[0][axial] - e[4][axial]), 1e-3);
 }
 
 TEST(Laboratory, an_error_of_the_rate_moves_both_loads_by_their_slopes) {
-  const LaboratoryCase c = laboratory({.rop = 0.02});
+  const LaboratoryCase c = laboratory({.reading = 0.0, .rop = 0.02});
   const auto e = errors(c);
   for (std::size_t i = 0; i < e.size(); ++i) {
     const Record& r = c.setup.records.rows[i];

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "forces/generate.hpp"
-#include "forces/part/part_cut.hpp"
+#include "forces/part/directions.hpp"
 
 namespace tdbd::forces::directions_test {
 

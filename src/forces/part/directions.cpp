@@ -1,4 +1,4 @@
-#include "forces/part/part_cut.hpp"
+#include "forces/part/directions.hpp"
 
 #include <algorithm>
 #include <cmath>
