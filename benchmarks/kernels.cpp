@@ -7,6 +7,7 @@
 
 #include "benchmarks/drilling.hpp"
 #include "reference/literature/surface/range_search.hpp"
+#include "reference/rock/facet_walk.hpp"
 #include "rock/cut/group_cut.hpp"
 #include "rock/cut/hull_filter.hpp"
 #include "rock/cut/swept_part.hpp"
@@ -87,19 +88,19 @@ void exit_walk(benchmark::State& state) {
   const Drilling d = bit_b();
   const std::vector<Query> queries = queries_of_next_step(d);
   std::vector<mesh::TriangleTree> trees;
-  std::vector<rock::FacetNeighbours> across;
+  std::vector<reference::FacetNeighbours> across;
   for (const bit::Part& p : d.plan.bit.parts)
-    across.push_back(rock::neighbours_of(trees.emplace_back(p.mesh_P)));
-  std::vector<rock::MeshScratch> scratch(trees.size());
+    across.push_back(reference::neighbours_of(trees.emplace_back(p.mesh_P)));
+  std::vector<reference::WalkScratch> scratch(trees.size());
   for (auto _ : state)
     for (const Query& q : queries) {
       const auto part = static_cast<std::size_t>(q.part->part);
-      benchmark::DoNotOptimize(rock::exit_distance_by_walk(trees[part], across[part], q.path,
-                                                           q.part->depth, scratch[part]));
+      benchmark::DoNotOptimize(reference::exit_distance_by_walk(trees[part], across[part], q.path,
+                                                                q.part->depth, scratch[part]));
     }
   state.SetItemsProcessed(state.iterations() * static_cast<long>(queries.size()));
   double tried = 0.0, found = 0.0, answered = 0.0;
-  for (const rock::MeshScratch& s : scratch) {
+  for (const reference::WalkScratch& s : scratch) {
     tried += static_cast<double>(s.walk.tried);
     found += static_cast<double>(s.walk.found);
     answered += static_cast<double>(s.walk.answered);

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "claims/rock_runs.hpp"
+#include "reference/rock/facet_walk.hpp"
 #include "rock/cut/swept_mesh.hpp"
 #include "verification/battery/evidence.hpp"
 #include "verification/battery/shapes.hpp"
@@ -106,13 +107,14 @@ TEST(RockActivity, of_drilling_runs_is_counted) {
   battery::record_table("rock-activity", rows);
 }
 
-/// The walk over facets: of parts that are not convex, and off by default. All that cut of our bits
-/// is convex, so a torus stands for them: neighbouring vertices around it, in small steps.
+/// The walk over the facets of a part that is not convex. All cutting parts of our bits are convex,
+/// so a torus is used: neighbouring vertices around it, in small steps.
 TEST(RockActivity, of_walks_to_the_exit_is_counted) {
   const mesh::TriangleTree tree(battery::torus(1.0, 0.3, 64, 32));
-  const rock::FacetNeighbours across = rock::neighbours_of(tree);
+  const reference::FacetNeighbours across = reference::neighbours_of(tree);
   constexpr double depth = 1e-9;
-  rock::MeshScratch walking, searching;
+  reference::WalkScratch walking;
+  rock::MeshScratch searching;
   long queries = 0, swept = 0, same = 0;
   for (double a = 0.0; a < 6.0; a += 1e-3) {
     const double r = 1.0 + 0.33 * std::sin(37.0 * a);
@@ -123,7 +125,7 @@ TEST(RockActivity, of_walks_to_the_exit_is_counted) {
     ++queries;
     swept += t && *t > 0.0;
   }
-  const rock::WalkMemory& walks = walking.walk;
+  const reference::WalkMemory& walks = walking.walk;
   EXPECT_EQ(same, queries);
   EXPECT_GT(swept, 0);
   EXPECT_LT(walks.found, walks.tried);

@@ -10,6 +10,8 @@
 #include "core/tolerance.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/shape/convex.hpp"
+#include "reference/rock/facet_walk.hpp"
+#include "rock/cut/swept_mesh.hpp"
 #include "rock/cut/swept_part.hpp"
 #include "verification/battery/shapes.hpp"
 
@@ -95,10 +97,10 @@ TEST(RockRules, the_search_over_planes_finds_what_the_search_over_facets_finds) 
                worst, "m", 1e-12);
 }
 
-/// What walks over the facets of a part did (update.exit_search = "walk").
+/// What walks over the facets of a part did (reference/rock/facet_walk.hpp).
 struct Walks {
   long queries = 0, different = 0, swept = 0, answered = 0;  ///< answered: of the swept
-  rock::WalkMemory memory;
+  reference::WalkMemory memory;
   double facets = 0.0;  ///< of the part
 };
 
@@ -106,8 +108,9 @@ struct Walks {
 Walks walk_all(const mesh::TriangleMesh& part, const std::vector<rock::RelativePath>& paths,
                double depth) {
   const mesh::TriangleTree tree(part);
-  const rock::FacetNeighbours across = rock::neighbours_of(tree);
-  rock::MeshScratch walking, searching;
+  const reference::FacetNeighbours across = reference::neighbours_of(tree);
+  reference::WalkScratch walking;
+  rock::MeshScratch searching;
   Walks w;
   w.facets = static_cast<double>(tree.facets().size());
   for (const rock::RelativePath& path : paths) {
@@ -130,7 +133,7 @@ struct WalkLimits {
 };
 
 void record_walks(const std::string& part, const Walks& w, const WalkLimits& limits) {
-  const std::string where = "walks over facets (exit_search = walk), " + part + ": ";
+  const std::string where = "walks over facets, " + part + ": ";
   EXPECT_GT(w.swept, 1000);
   record_bound("chapter4/search", where + "exits that differ from those by the tree of boxes",
                static_cast<double>(w.different), "1", 0.0);
@@ -163,21 +166,20 @@ TEST(RockRules, walks_over_facets_find_the_exits_of_the_tree) {
                {0.2, 0.25});
 }
 
-/// Unfavourable: all that cuts of the example bits is convex, and the default is no walk.
-TEST(RockRules, exits_from_the_example_bits_take_no_walk) {
+/// Unfavourable: all that cuts of the example bits is convex.
+TEST(RockRules, parts_that_cut_of_the_example_bits_are_convex) {
   long walked = 0, parts = 0;
   for (const char* name : {"bit-a", "bit-b", "bit-c", "bit-r"})
-    for (const rock::CuttingGroup& g :
-         rock::prepare_cutting_bit(example(name), {.search = rock::ExitSearch::walk}).groups)
+    for (const rock::CuttingGroup& g : rock::prepare_cutting_bit(example(name)).groups)
       for (const rock::CuttingPart& p : g.parts) {
         ++parts;
-        walked += !p.across.empty();
+        walked += p.tree_P.has_value();
       }
   EXPECT_GT(parts, 100);
   EXPECT_EQ(walked, 0);
   battery::record({"chapter4/search",
-                   "bits A, B, C and R with exit_search = walk: share of cutting parts whose exits "
-                   "are found by a walk",
+                   "bits A, B, C and R: share of cutting parts that are not convex, so that a walk "
+                   "could find their exits",
                    static_cast<double>(walked) / static_cast<double>(parts), "1",
                    "above 0, did bits need walks: convex parts are searched by their planes, and "
                    "each look tests all planes near the vertex",

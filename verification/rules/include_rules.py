@@ -41,6 +41,8 @@ PLAIN_DATA = re.compile(r"(core|io)/.+|mesh/triangle_mesh\.hpp|bit/bit\.hpp|forc
 TOOL_DATA = re.compile(PLAIN_DATA.pattern + r"|mesh/(files/files|measures)\.hpp|simulation/rotate/rotate_case\.hpp")
 # The comparison runs the models of chapter 2 beside the program itself.
 COMPARE_DATA = re.compile(PLAIN_DATA.pattern + r"|(core|io|bit|forces|simulation)/.+")
+# A method that does not pay, measured beside the search that is used, whose strips it shares. It is no twin.
+WALK_DATA = re.compile(PLAIN_DATA.pattern + r"|mesh/search/.+|rock/cut/swept_mesh\.hpp")
 # The Python module stands where the command line does: above all modules, beside app.
 PYTHON_DATA = re.compile(rf"({'|'.join(sorted(CALIBRATION))})/.+|python/src/.+")
 CGAL_ALLOWED = re.compile(
@@ -77,7 +79,8 @@ def check_include(path, bracket, target):
         return f"Boost belongs in {BOOST_ALLOWED}"
     if bracket == "<":
         return None
-    allowed = next((data for folder, data in (("reference/tools/", TOOL_DATA), ("reference/compare/", COMPARE_DATA))
+    allowed = next((data for folder, data in (("reference/tools/", TOOL_DATA), ("reference/compare/", COMPARE_DATA),
+                                              ("reference/rock/facet_walk", WALK_DATA))
                     if path.startswith(folder)), PLAIN_DATA)
     if parts[0] == "reference" and not allowed.fullmatch(target):
         return f'a slow twin may not use "{target}"'

@@ -170,9 +170,6 @@ CuttingBit prepare_cutting_bit(const bit::Bit& bit, const CuttingOptions& option
     group.single_hull_P = in_single(group.hull_P);
     group.radius = radius_of_round(group, bit);
     group.directions = options.directions;
-    for (CuttingPart& part : group.parts)
-      if (part.tree_P && options.search == ExitSearch::walk)
-        part.across = neighbours_of(*part.tree_P);
     if (options.exit_from == ExitFrom::whole) group.whole = whole_of(group, bit);
     if (group.whole)
       group.whole->sectors = sectors_of(group.whole->solid, group.box_P.size().norm(), cutting);

@@ -12,7 +12,6 @@
 #include "mesh/search/triangle_tree.hpp"
 #include "mesh/shape/convex.hpp"
 #include "rock/cut/convex_union.hpp"
-#include "rock/cut/facet_walk.hpp"
 #include "rock/cut/plane_sectors.hpp"
 #include "rock/index/vertex_grid.hpp"
 
@@ -25,7 +24,6 @@ struct CuttingPart {
   std::string name;
   mesh::ConvexSolid solid_P;                 ///< without planes if there is a tree
   std::optional<mesh::TriangleTree> tree_P;  ///< only if there are no planes
-  FacetNeighbours across;                    ///< of the tree's facets; empty: no walks
   double depth = 0.0;     ///< m, smallest depth of a sweep (tolerance::swept times size)
   std::size_t slot = 0;   ///< index among the solids of the group (SweptScratch)
   double checksum = 0.0;  ///< of solid_P (plane_strip.hpp)
@@ -91,9 +89,6 @@ struct CuttingBit {
   double size = 0.0;   ///< m, diameter over the cutting parts; scale of tolerance::inside
 };
 
-/// Search for exits from parts that are not convex (swept_mesh.hpp). Both give the same results.
-enum class ExitSearch { tree, walk };
-
 /// How a vertex leaves a group. `parts`: it leaves the parts one after another, and each part is
 /// credited with its own share of the volume. `whole`: if the parts fill a convex solid, the vertex
 /// leaves that solid at once, and the part through whose surface it leaves is credited with the
@@ -101,7 +96,6 @@ enum class ExitSearch { tree, walk };
 enum class ExitFrom { parts, whole };
 
 struct CuttingOptions {
-  ExitSearch search = ExitSearch::tree;
   DirectionFrame directions = DirectionFrame::bit;
   ExitFrom exit_from = ExitFrom::whole;
 };

@@ -5,7 +5,6 @@
 
 #include "mesh/measures.hpp"
 #include "mesh/search/triangle_tree.hpp"
-#include "rock/cut/facet_walk.hpp"
 #include "rock/cut/plane_strip.hpp"
 
 namespace tdbd::rock {
@@ -54,8 +53,6 @@ class Strip {
 struct MeshScratch {
   std::vector<double> ends;
   std::vector<Levels> intervals;
-  std::vector<const mesh::Facet*> facets;
-  WalkMemory walk;
 };
 
 /// Whether the path of the vertex alone enters the solid inside a closed mesh by more than `depth`
@@ -72,15 +69,5 @@ bool is_swept(const mesh::TriangleTree& solid, const RelativePath& path, double 
 /// reference/rock/brute_force_exit.
 std::optional<double> exit_distance(const mesh::TriangleTree& solid, const RelativePath& path,
                                     double depth, MeshScratch& scratch);
-
-/// Returns the same exit, using only the facets near the strip, up to slightly beyond a place at
-/// which the ray of the strip's middle leaves the solid. A walk from the facet of the last exit
-/// finds that place (facet_walk.hpp); if the walk fails, the tree finds it. The first facet on the
-/// ray shows whether the vertex is inside, the last one whether the region beyond is outside. If
-/// any of this is uncertain, or if the vertex's path crosses the surface, exit_distance is used.
-/// See rock (6); thesis: 4.1.3.4.
-std::optional<double> exit_distance_by_walk(const mesh::TriangleTree& solid,
-                                            const FacetNeighbours& across, const RelativePath& path,
-                                            double depth, MeshScratch& scratch);
 
 }  // namespace tdbd::rock

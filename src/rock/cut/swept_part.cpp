@@ -193,8 +193,6 @@ bool is_swept(const CuttingPart& part, const RelativePath& path, SweptScratch& s
 
 std::optional<double> exit_distance(const CuttingPart& part, const RelativePath& path,
                                     SweptScratch& scratch) {
-  if (!part.across.empty())
-    return exit_distance_by_walk(*part.tree_P, part.across, path, part.depth, scratch.mesh);
   if (part.tree_P) return exit_distance(*part.tree_P, path, part.depth, scratch.mesh);
   PlaneStrip strip;
   return exit_distance(part.solid_P, path, part.depth, strip);

@@ -154,14 +154,13 @@ void check_continued_cones(Config c, const Case& read) {
               "0: the earlier contacts of cones are not in any file");
 }
 
-/// Hashes the bit's file and the choices of [update] on which its parts and their search depend.
+/// Hashes the bit's file and the choices of [update] on which its parts depend.
 std::string bit_hash(const UpdatePlan& update, const bit::BitFile& bit) {
   const rock::CuttingOptions& cutting = update.cutting;
   return fnv1a_hex(
-      fmt::format("{}\n{} {} {} {} {} {}", bit.fingerprint, static_cast<int>(update.directions),
+      fmt::format("{}\n{} {} {} {} {}", bit.fingerprint, static_cast<int>(update.directions),
                   static_cast<int>(update.inside_cutters), static_cast<int>(update.gage_teeth),
-                  static_cast<int>(cutting.search), static_cast<int>(cutting.directions),
-                  static_cast<int>(cutting.exit_from)));
+                  static_cast<int>(cutting.directions), static_cast<int>(cutting.exit_from)));
 }
 
 /// Reads all tables and checks conditions between them.

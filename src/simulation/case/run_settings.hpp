@@ -190,10 +190,6 @@ struct UpdatePlan {
       {.name = "leaning",
        .values = {{{"upright", rock::DirectionFrame::upright}, {"bit", rock::DirectionFrame::bit}}},
        .meaning = "whether update directions lean with the bit's axis"});
-    v(cutting.search,
-      {.name = "exit_search",
-       .values = {{{"tree", rock::ExitSearch::tree}, {"walk", rock::ExitSearch::walk}}},
-       .meaning = "how exits from parts that are not convex are found; the results are the same"});
     v(cutting.exit_from,
       {.name = "exit_from",
        .values = {{{"parts", rock::ExitFrom::parts}, {"whole", rock::ExitFrom::whole}}},

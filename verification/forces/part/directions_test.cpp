@@ -1,7 +1,8 @@
+#include "forces/part/directions.hpp"
+
 #include <gtest/gtest.h>
 
 #include "forces/generate.hpp"
-#include "forces/part/directions.hpp"
 
 namespace tdbd::forces::directions_test {
 
