@@ -29,7 +29,7 @@ matplotlib.rcParams.update({"svg.hashsalt": "tdbd", "svg.fonttype": "path"})
 
 
 def embedded(figure, form):
-    """A figure as a data URL. The same figure gives the same bytes."""
+    """A figure as a data URL. The same figure gives a bitwise identical URL."""
     kind = {"svg": "svg+xml", "png": "png"}[form]
     metadata = {"svg": {"Date": None, "Creator": None}, "png": {"Software": None}}[form]
     file = io.BytesIO()

@@ -1,7 +1,7 @@
-"""What validation/ makes for the page: chapter 6 and appendix D in a synthetic laboratory, and comparisons with measurements.
+"""Runs the scripts of validation/ for the page: chapter 6 and appendix D in a synthetic laboratory, and comparisons with measurements.
 
-A set is a script with its output folder OUTPUT/NAME and the stamp OUTPUT/NAME.made.json. It is made again when the
-program, a file of validation/ or a bit changed; cut runs in its folder are found again by the program.
+A set is a script with its output folder OUTPUT/NAME and the stamp OUTPUT/NAME.made.json. The script runs again when the
+program, a file of validation/ or a bit changed. The program reuses the results of cut runs in the output folder.
 """
 
 import json
@@ -14,7 +14,7 @@ from pathlib import Path
 import fingerprint
 from fingerprint import Stale
 
-TIME_LIMIT = 900  # s: minutes when no cut run is there
+TIME_LIMIT = 900  # s; without results of cut runs a script takes minutes
 
 
 @dataclass(frozen=True)
@@ -22,27 +22,28 @@ class Set:
     name: str
     title: str
     about: str
-    command: str  # for the reader
+    command: str  # printed on the page
     script: str  # relative to validation/
-    own: tuple  # patterns of the files of validation/ behind it
+    own: tuple  # patterns of the files of validation/ that it depends on
 
 
 CHAPTER_6 = Set(
     "chapter6", "Chapter 6 and appendix D: the force law calibrated, and what it predicts",
-    "We hold the titles of the thesis's tables and figures, not their numbers, and no laboratory's data. So a synthetic laboratory drills bits "
-    "A, B and C under a force law that we know, with noise; the law is fitted to two bits and predicts the third. This shows what such a "
-    "calibration can find and how far its predictions can be trusted, and nothing of real rock. Everything in this section is of the "
-    "synthetic laboratory. The chapter's figure 6.7 has its counterpart under Figures.",
+    "Only the titles of the thesis's tables and figures are available, not their numbers, and no data of a laboratory. Therefore a synthetic "
+    "laboratory drills bits A, B and C under a known force law, with noise. The law is fitted to two bits and predicts the third. This shows "
+    "what such a calibration can find and how accurate its predictions are. It shows nothing about real rock. Everything in this section "
+    "comes from the synthetic laboratory. The counterpart of figure 6.7 is in the section Figures.",
     "validation/chapter6/make.py TDBD OUT", "chapter6/make.py", ("chapter6/*", "blind/*", "cases/lab*.toml"))
 MEASURED = Set(
     "measured", "Predictions against measurements",
-    "Laws calibrated on some measured rows predict others, beside a floor: the smallest error that the measurements allow. Failures stay, with "
-    "their reason. The layouts of the bits are ours. Each comparison says whether its records are measured or a published model's.",
+    "Laws that are calibrated on some measured rows predict others. Their errors are compared with a floor, the smallest error that the "
+    "measurements allow. Failures are included, with their reason. The layouts of the bits are assumptions of TDBD. Each comparison states "
+    "whether its records are measured or come from a published model.",
     "bash scripts/validate", "validate.py", ("*.py", "*.toml", "data/*/*", "records/*", "bits/*", "cases/*.toml"))
 
 
 class Calibrations:
-    """Those sets of a project whose scripts exist; none is made for --quick."""
+    """The sets of a project whose scripts exist. With --quick none is made."""
 
     def __init__(self, root, build, output, is_quick):
         self.root, self.build, self.output, self.is_quick = Path(root), Path(build), Path(output), is_quick
@@ -63,7 +64,7 @@ class Calibrations:
         return self.output / f"{made.name}.made.json"
 
     def inputs(self, made):
-        """Fingerprint of all that decides the set: program, scripts, cases, records, bits, style, versions."""
+        """Fingerprint of everything that the set depends on: program, scripts, cases, records, bits, style, versions."""
         if not (self.build / "tdbd").is_file():
             raise Stale(f"{made.name}: the program {self.build / 'tdbd'} is not built")
         own = {f for pattern in made.own for f in (self.root / "validation").glob(pattern)}
@@ -91,7 +92,7 @@ class Calibrations:
         return None
 
     def update(self, made):
-        """Makes a stale set; returns whether it did."""
+        """Makes the set if it is stale. Returns whether it was made."""
         if self.problem(made) is None:
             return False
         self.stamp(made).unlink(missing_ok=True)
@@ -118,20 +119,20 @@ class Calibrations:
             raise Stale(f"{made.name}: exit code {done.returncode}: {' '.join(words)}\n{done.stderr.strip()}")
 
     def items(self, made):
-        """What there is to show, in its order: kind, name, counterpart, title, caption, table or picture (paths)."""
+        """The figures and tables to show, in order: kind, name, counterpart, title, caption, table or picture (paths)."""
         if not self.is_made(made):
             return []
         return chapter_items(self.folder(made)) if made == CHAPTER_6 else measured_items(self.folder(made))
 
 
 def table_text(item):
-    """The Markdown of an item's table, without the heading and the caption that the page shows in its own way."""
+    """The Markdown of an item's table, without the heading and the caption, which the page formats itself."""
     text = item["table"].read_text(encoding="utf-8")
     return text.split("\n\n", 2)[2] if item["has_head"] else text
 
 
 def chapter_items(folder):
-    """What chapter6/make.py lists."""
+    """The figures and tables that chapter6/make.py lists."""
     try:
         listed = json.loads((folder / "chapter6.json").read_text(encoding="utf-8"))
     except FileNotFoundError:
@@ -142,8 +143,8 @@ def chapter_items(folder):
 
 def measured_items(folder):
     """The figures of all comparisons, then their tables."""
-    titles = {"comparisons": ("All comparisons", "Mean and rms errors of every comparison and law beside their floors."),
-              "pressures": ("Forces over pressure by the published model", "Published model, not measured rows.")}
+    titles = {"comparisons": ("All comparisons", "Mean and rms errors of every comparison and law, and their floors."),
+              "pressures": ("Forces over pressure by the published model", "Values of a published model, not measured rows.")}
     common = {"counterpart": "", "has_head": False}
     shown = [{"kind": "figure", "name": n, "title": title, "caption": caption, "table": None, "picture": folder / f"{n}.png", **common}
              for n, (title, caption) in titles.items() if (folder / f"{n}.png").is_file()]

@@ -1,4 +1,4 @@
-"""Runs the programs whose inputs changed, and checks which results match the manifest."""
+"""Runs the programs whose inputs changed, and checks whether results match the manifest."""
 
 import subprocess
 from pathlib import Path
@@ -12,7 +12,7 @@ NOT_DATA = {"timing.json"}
 
 
 class Data:
-    """The results of all runs of a manifest, in a folder: NAME/ and its stamp NAME.made.json."""
+    """The results of all runs of a manifest in a folder. Each run has a folder NAME/ and a stamp NAME.made.json."""
 
     def __init__(self, root, build, folder):
         self.root, self.build, self.folder = Path(root), Path(build), Path(folder)
@@ -25,13 +25,13 @@ class Data:
         return self.folder / f"{run.name}.made.json"
 
     def command(self, run):
-        """The command line as a user would type it after the program's name."""
+        """The command line after the name of the program."""
         settings = [f"{key}={text(value)}" for key, value in run.settings.items()]
         first = [run.command] if run.command else []
         return [*first, run.case, *run.arguments, *(w for s in settings for w in ("--set", s))]
 
     def inputs(self, run):
-        """Fingerprint of all that decides the result: command line, case, program."""
+        """Fingerprint of everything that the result depends on: command line, case, program."""
         if not (self.build / run.program).is_file():
             raise Stale(f"{run.name}: the program {self.build / run.program} is not built")
         if run.program not in self.programs:
@@ -46,7 +46,7 @@ class Data:
         return {str(f.relative_to(folder)): fingerprint.of_file(f) for f in files}
 
     def demand_current(self, run):
-        """Raises Stale unless the result is there, unchanged, and made from the present inputs."""
+        """Raises Stale unless the result exists, is unchanged, and was made from the current inputs."""
         stamp = fingerprint.read(self.stamp(run))
         if not stamp:
             raise Stale(f"{self.result(run)}: has not been run")
@@ -57,8 +57,8 @@ class Data:
             raise Stale(f"{self.result(run)}: the result was changed after the run; remove it and {self.stamp(run)}")
 
     def update(self, run):
-        """Runs the program when the inputs changed; returns whether it did. A result that was
-        changed manually is not overwritten: that stays Stale."""
+        """Runs the program if the inputs changed. Returns whether it ran. A result that was changed manually is not overwritten and
+        remains stale."""
         stamp = fingerprint.read(self.stamp(run))
         inputs = self.inputs(run)
         if stamp.get("inputs") == inputs and self.result(run).is_dir():
@@ -71,7 +71,7 @@ class Data:
         return True
 
     def call(self, run):
-        """Runs the program; its results are then in the run's folder. Raises Stale when it fails."""
+        """Runs the program, which writes its results to the folder of the run. Raises Stale if it fails."""
         words = [str(self.build / run.program), *self.command(run)]
         if run.output == "folder":
             words += ["-o", str(self.result(run)), "--force", "--quiet"]
@@ -82,5 +82,5 @@ class Data:
             (self.result(run) / "stdout.txt").write_text(done.stdout, encoding="utf-8")
 
     def newest(self, run):
-        """When the result last changed, ns."""
+        """The time of the last change of the result, ns."""
         return max((self.result(run) / name).stat().st_mtime_ns for name in self.contents(run))

@@ -58,7 +58,7 @@ def with_named_clips(svg, figure):
 
 
 def save(made, path):
-    """A matplotlib figure, or a table {"heads": [...], "rows": [[...], ...]}; the same one gives the same bytes."""
+    """A matplotlib figure, or a table {"heads": [...], "rows": [[...], ...]}; the file is reproducible."""
     if path.suffix == SUFFIX["table"]:
         path.write_text(json.dumps({"heads": list(made["heads"]), "rows": [list(map(str, row)) for row in made["rows"]]}, indent=1) + "\n",
                         encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Fingerprints of inputs, and the stamps that record what an output was made from."""
+"""Fingerprints of inputs, and stamps that store the fingerprints of the inputs of an output."""
 
 import ast
 import hashlib
@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 class Stale(Exception):
-    """Something is missing or was made from other inputs; the message names it and the remedy."""
+    """An output is missing or was made from other inputs. The message names it and the remedy."""
 
 
 def of_bytes(*parts):
@@ -35,7 +35,7 @@ def strings(value):
 
 
 def of_case(case):
-    """The case and every file that it names, relative to its folder."""
+    """Fingerprint of a case and of every file that it names relative to its folder."""
     case = Path(case)
     document = tomllib.loads(case.read_text(encoding="utf-8"))
     named = sorted({s for s in strings(document) if s and "\n" not in s and (case.parent / s).is_file()})
@@ -43,7 +43,7 @@ def of_case(case):
 
 
 def figure_modules(script):
-    """Names of the modules of figures/ that a script imports."""
+    """The names of the modules of figures/ that a script imports."""
     for node in ast.walk(ast.parse(script.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom) and node.module == "figures":
             yield from (alias.name for alias in node.names)
@@ -52,7 +52,7 @@ def figure_modules(script):
 
 
 def scripts_of(figures, script):
-    """A script and all of the folder figures/ that it uses, directly or not."""
+    """A script and all modules of figures/ that it uses, directly or indirectly."""
     found, to_read = set(), [script]
     while to_read:
         path = to_read.pop()
@@ -63,13 +63,13 @@ def scripts_of(figures, script):
 
 
 def of_scripts(figures, *scripts):
-    """Fingerprint of scripts with all that they use of figures/."""
+    """Fingerprint of scripts and of all modules of figures/ that they use."""
     used = sorted({u for script in scripts for u in scripts_of(figures, script)})
     return of_value([[u.name, of_file(u)] for u in used])
 
 
 def objects(build, program):
-    """The compiled sources behind a program of a build folder: src, and for a twin or the comparison also reference."""
+    """The object files of a program in a build folder: those of src, and for a twin or the comparison also those of reference."""
     folders = ["src"]
     if program == "tdbd-compare":
         folders.append("reference")
@@ -79,12 +79,11 @@ def objects(build, program):
 
 
 def of_program(build, program):
-    """What decides a program's numbers, and not the commit that it was built from.
+    """Fingerprint of the machine code of a program, independent of the commit that it was built from.
 
-    The executable contains the name of the commit, so that its bytes change with every commit. The objects
-    that it is linked from do not, but for the one with the provenance: a change in them may change a
-    number, and a commit that changes no machine code reruns nothing. A program without objects (a
-    script) is its own bytes.
+    The executable contains the name of the commit, so it changes with every commit. Its object files do not, except the
+    one with the provenance. Therefore the fingerprint is that of the other object files: a commit that changes no machine
+    code causes no new runs. For a program without object files (a script) it is that of the file.
     """
     found = objects(Path(build), program)
     if not found:

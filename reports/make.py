@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Brings the report up to date: runs, figures, page. Exit code 1 when something is stale.
+"""Updates the report: runs, figures, page. The exit code is 1 if something is stale.
 
     reports/make.py [--quick | --check | --evidence-only] [--build DIR] [--output DIR]
 
 Repeats the runs and draws the figures whose inputs changed, with the program in the build folder, and
-writes OUTPUT/index.html. With --check it makes nothing and lists everything that is out of date.
+writes OUTPUT/index.html. With --check it only lists what is out of date.
 """
 
 import argparse
@@ -43,8 +43,8 @@ def report_time(update, subject):
 
 
 def update(manifest, data, drawing, pages, others):
-    """Runs and draws what changed; returns problems. No figure is drawn from failed runs. `others` need no run of the
-    manifest, and take longest: they begin first."""
+    """Runs and draws what changed. Returns problems. No figure is drawn if a run failed. `others` do not depend on runs of the
+    manifest and take the longest time, so they start first."""
     runs = [r for r in manifest.runs if drawing.is_made(r)]
     problems = gather_at_once([(partial(report_time, o.update), r) for o in reversed(others) for r in o.runs()]
                               + [(partial(report_time, data.update), r) for r in runs])
@@ -53,7 +53,7 @@ def update(manifest, data, drawing, pages, others):
 
 
 def stale(manifest, data, drawing, pages):
-    """All that is missing, or does not match what it was made from."""
+    """Everything that is missing or was made from other inputs."""
     runs = [r for r in manifest.runs if drawing.is_made(r)]
     return (gather([(data.demand_current, r) for r in runs])
             or gather([(drawing.demand_current, f) for f in manifest.figures]
@@ -61,13 +61,13 @@ def stale(manifest, data, drawing, pages):
 
 
 def sources(manifest, drawing, others, evidence_folder):
-    """Files that the page shows: pictures, measurements, what studies, comparisons and calibrations made."""
+    """Files that the page shows: pictures, measurements, and products of studies, comparisons and calibrations."""
     return ([drawing.picture(f) for f in manifest.figures] + list(evidence_folder.rglob("*.json"))
             + [p for m in others for run in m.runs() for p in m.products(run)])
 
 
 def stale_page(html, shown):
-    """Whether the page is older than something on it, as a list of problems."""
+    """A problem if the page is older than one of the files that it shows, as a list."""
     if not html.is_file():
         return [f"{html}: has not been made"]
     newer = [s for s in shown if s.stat().st_mtime_ns > html.stat().st_mtime_ns]
@@ -75,7 +75,7 @@ def stale_page(html, shown):
 
 
 def missing_counterparts(index, calibrated):
-    """Counterparts of the thesis's chapter 6 that its script did not make; none if it did not run."""
+    """Counterparts of chapter 6 of the thesis that its script did not make. Empty if the script did not run."""
     made = {i["name"] for i in calibrated.items(calibrations.CHAPTER_6)}
     return thesis_index.missing(index, made or None)
 
@@ -97,10 +97,10 @@ def parse(arguments):
 
 
 def report(chosen):
-    """Makes or checks the report as the arguments say; returns problems."""
+    """Makes or checks the report, depending on the arguments. Returns problems."""
     whole = manifests.read(chosen.root / "reports")
     index = thesis_index.read(chosen.root, whole)
-    page.chapters(whole)  # every claim has its place
+    page.chapters(whole)  # raises if a claim belongs to no chapter
     manifest = manifests.read(chosen.root / "reports", chosen.quick)
     folder = Path(os.environ.get("TDBD_EVIDENCE") or chosen.build / "evidence")
     found = evidence.collect(folder, chosen.build, manifest.claims)

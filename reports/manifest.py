@@ -1,11 +1,11 @@
-"""What the report is made of, read from manifest.toml and claims.toml: runs, figures, claims."""
+"""Reads the contents of the report, runs, figures and claims, from manifest.toml and claims.toml."""
 
 import itertools
 import tomllib
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-# Keys that each table may have, and the ones that it must have.
+# Keys of each table; those that are not in OPTIONAL are required.
 RUN_KEYS = {"command": str, "case": str, "program": str, "output": str, "arguments": list,
             "set": dict, "variants": list, "sweep": dict, "quick": dict}
 QUICK_KEYS = {"arguments": list, "set": dict, "sweep": dict}
@@ -17,19 +17,19 @@ OPTIONAL = {"open", "program", "output", "arguments", "set", "variants", "sweep"
 
 
 class ManifestError(Exception):
-    """The manifest is wrong; the message names the table and the key."""
+    """An error in the manifest. The message names the table and the key."""
 
 
 @dataclass(frozen=True)
 class Run:
-    """One call of a program. `settings` go to it as --set KEY=VALUE."""
+    """One call of a program. `settings` are passed as --set KEY=VALUE."""
 
-    group: str  # the manifest's name; a sweep makes several runs of one group
+    group: str  # the name in the manifest; a sweep makes several runs of one group
     name: str
     command: str
     case: str  # relative to the root
     program: str  # relative to the build folder
-    output: str  # "folder": takes -o; "stdout": prints, kept as stdout.txt
+    output: str  # "folder": the program has an option -o; "stdout": its output is stored in stdout.txt
     arguments: tuple = ()
     settings: dict = field(default_factory=dict, hash=False)
 
@@ -41,16 +41,16 @@ class Figure:
     thesis: str  # number of the figure in the thesis; empty: an addition of TDBD
     title: str
     shows: str
-    reconstructed: str  # what of it is; empty: nothing
-    form: str  # of FORMS
+    reconstructed: str  # the part that is reconstructed; may be empty
+    form: str  # one of FORMS
     runs: tuple  # groups
     tables: tuple  # evidence tables
     sources: tuple  # patterns of files of the project that it is drawn from
     claims: tuple
-    quick: bool  # whether --quick draws it
+    quick: bool  # --quick draws it
 
     def kind(self):
-        """What it is in the thesis's numbering."""
+        """The kind by which the thesis numbers it."""
         return "table" if self.form == "table" else "figure"
 
 
@@ -58,8 +58,8 @@ class Figure:
 class Claim:
     slug: str
     claim: str
-    where: str  # where it is made
-    open: str = ""  # why no test measures it; empty: one does
+    where: str  # where the claim is made
+    open: str = ""  # why no test measures it; empty if one does
 
 
 @dataclass(frozen=True)
@@ -67,8 +67,8 @@ class Manifest:
     runs: tuple
     figures: tuple
     claims: tuple
-    bit_pages: tuple = ()  # groups of one run of `tdbd bit --report` each
-    animations: tuple = ()  # groups of one run of `tdbd run` with frames each
+    bit_pages: tuple = ()  # groups, each of one run of `tdbd bit --report`
+    animations: tuple = ()  # groups, each of one run of `tdbd run` with frames
     pages3d: tuple = ()  # the same
 
     def pages(self):
@@ -82,7 +82,7 @@ class Manifest:
 
 
 def checked(where, table, keys, optional=frozenset(OPTIONAL)):
-    """The table, when its keys are known, complete and of the right type."""
+    """Returns the table. Raises ManifestError if a key is unknown, missing or of the wrong type."""
     for key, value in table.items():
         if key not in keys:
             raise ManifestError(f"{where}: unknown key {key}; known are {', '.join(keys)}")
@@ -103,7 +103,7 @@ def name_of(group, settings):
 
 
 def runs_of(group, table, is_quick):
-    """A run, or one for every variant and every combination of the values to sweep."""
+    """The run of a table, or one run for every variant and every combination of the values to sweep."""
     where = f"run {group}"
     checked(where, table, RUN_KEYS)
     quick = checked(f"{where}, quick", table.get("quick", {}), QUICK_KEYS) if is_quick else {}
@@ -128,7 +128,7 @@ def figure_of(table):
 
 
 def demand_links(manifest):
-    """Raises ManifestError unless all that figures name exists, all runs are shown and no name occurs twice."""
+    """Raises ManifestError if a figure names something that does not exist, a run is not shown, or a name occurs twice."""
     groups = {r.group for r in manifest.runs}
     slugs = [c.slug for c in manifest.claims]
     for names in ([f.name for f in manifest.figures], slugs):
@@ -145,7 +145,7 @@ def demand_links(manifest):
 
 
 def quick_part(manifest):
-    """Without the figures that --quick leaves out, and the runs that only these show."""
+    """The manifest without the figures that --quick omits, and without the runs that only these show."""
     figures = tuple(f for f in manifest.figures if f.quick)
     shown = {r for f in figures for r in f.runs} | set(manifest.bit_pages) | set(manifest.pages3d)
     return replace(manifest, figures=figures, animations=(), runs=tuple(r for r in manifest.runs if r.group in shown))

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""The block of measurements in README.md: written again, or compared with the data.
+"""Writes the table of measurements in README.md, or compares it with the data.
 
     reports/readme.py --write [--build DIR]     from evidence and studies; also writes reports/readme.json
     reports/readme.py --check                   README.md and the studies against reports/readme.json
 
-reports/readme.json keeps the numbers, so that README.md can be checked where no test has run yet. `scripts/report --readme`
-calls the first; tests and `scripts/report --check` the second, the last also with the evidence.
+reports/readme.json stores the numbers, so that README.md can be checked before any test has run. `scripts/report --readme` calls
+the first command. Tests and `scripts/report --check` call the second; the latter also compares with the evidence.
 """
 
 import argparse
@@ -47,7 +47,7 @@ def measure(root, found, rows=tuple(ROWS)):
 
 
 def place_of(lines):
-    """The lines of the block in README.md. Raises Stale."""
+    """The first line of the block in README.md, and the line after it. Raises Stale."""
     if lines.count(BEGIN) != 1 or lines.count(END) != 1 or lines.index(END) < lines.index(BEGIN):
         raise Stale(f"README.md: expected one line {BEGIN!r} and after it one {END!r}")
     return lines.index(BEGIN), lines.index(END) + 1
@@ -71,13 +71,13 @@ def edited_lines(root, numbers, rows=tuple(ROWS)):
         return [str(stale)]
     found, expected = lines[first:end], block(numbers, rows)
     if len(found) != len(expected):
-        return [f"README.md, line {first + 1}: {len(found)} lines of what was measured, expected {len(expected)}; {REMEDY}"]
+        return [f"README.md, line {first + 1}: found {len(found)} lines of measurements, expected {len(expected)}; {REMEDY}"]
     return [f"README.md, line {first + i + 1}: found {a!r}, expected {b!r}; {REMEDY}"
             for i, (a, b) in enumerate(zip(found, expected)) if a != b]
 
 
 def stale_numbers(root, numbers, found, rows=tuple(ROWS)):
-    """Rows that differ from the present results of tests and studies. `found`: evidence, or None."""
+    """Rows that differ from the current results of tests and studies, as a list of problems. `found`: evidence, or None."""
     problems = []
     for row in rows:
         try:
@@ -93,9 +93,9 @@ def stale_numbers(root, numbers, found, rows=tuple(ROWS)):
 
 
 def orphans(numbers, rows=tuple(ROWS)):
-    """Numbers that were kept for a row that is gone, as a list of problems."""
+    """Stored numbers that no row uses, as a list of problems."""
     used = {n.key() for row in rows for n in row.numbers}
-    return [f"reports/readme.json: an orphan, no row of reports/readme_rows.py uses {key!r}; {REMEDY}" for key in numbers if key not in used]
+    return [f"reports/readme.json: unused number, no row of reports/readme_rows.py reads {key!r}; {REMEDY}" for key in numbers if key not in used]
 
 
 def has_block(root):
@@ -104,7 +104,7 @@ def has_block(root):
 
 
 def problems(root, found=None):
-    """All that is wrong with the block; with evidence also what is stale about it. A project without a block has none."""
+    """All problems of the block; with evidence also numbers that are stale. A project without a block has no problems."""
     if not has_block(root):
         return []
     try:

@@ -1,4 +1,4 @@
-"""The rows of the table of measurements in README.md: each number, and the file that a test or a script wrote it to."""
+"""The rows of the table of measurements in README.md: the numbers, and where each is read from."""
 
 import csv
 import json
@@ -12,7 +12,7 @@ from fingerprint import Stale
 
 @dataclass(frozen=True)
 class Measured:
-    """The largest measurement that tests wrote of a claim, of those whose text has `part` in it."""
+    """The largest measurement of a claim, of those whose text contains `part`."""
     claim: str
     part: str
     scale: float = 1.0
@@ -21,7 +21,7 @@ class Measured:
         return f"{self.claim}: {self.part}"
 
     def read(self, evidence):
-        """Raises Stale where no test wrote it."""
+        """Raises Stale if no test recorded it."""
         found = [e for e in evidence.get(self.claim, []) if self.part in e.what]
         if not found:
             raise Stale(f"README.md: no evidence for {self.key()}; run ctest -L evidence")
@@ -30,7 +30,7 @@ class Measured:
 
 @dataclass(frozen=True)
 class Kept:
-    """A number of the data of a study, which are in the repository."""
+    """A number that is computed from the data of a study."""
     folder: str
     name: str
     of: Callable
@@ -45,7 +45,7 @@ class Kept:
 @dataclass(frozen=True)
 class Row:
     what: str
-    value: str  # with a place for each number
+    value: str  # with a placeholder for each number
     numbers: tuple
     by: str
 
@@ -60,7 +60,7 @@ def run_of(file, *path):
 
 
 def largest_excess(folder):
-    """Of the volume of a revolution over pi R^2 d, from the second on, at edges of 1 mm, in percent."""
+    """Largest difference between the volume of a revolution and pi R^2 d, from the second revolution on, with edges of 1 mm, in per cent."""
     run = run_of("runs.json", "1 mm")(folder)
     advance = run["motion"]["rate_of_penetration"] * 2.0 * math.pi / run["motion"]["rotary_speed"]
     whole = math.pi * run["gage_radius_m"] ** 2 * advance

@@ -1,4 +1,4 @@
-"""Reads a result folder of TDBD: the surface of the rock, also as heights over a grid, the summary, the cutters of the bit. SI units."""
+"""Reads the files of a result folder: the surface of the rock, also as heights on a grid, the summary, the cutters of the bit. SI units."""
 
 import json
 import re
@@ -11,7 +11,7 @@ from figures import rock_data
 
 @dataclass
 class Cutter:
-    """One cutter of bit.json with what its parts removed."""
+    """One cutter of bit.json, with the volumes that its parts removed."""
 
     name: str
     tip_radius: float  # m
@@ -21,7 +21,7 @@ class Cutter:
 
 
 def read_surface(path):
-    """The rock's surface in a .vtp file, with depth_m: z where the file has none."""
+    """The surface of the rock in a .vtp file. If the file has no depth_m, it is set to z."""
     try:
         surface = rock_data.read(path)
     except ValueError as error:
@@ -37,12 +37,12 @@ def read_json(path):
 
 
 def full_revolutions(summary):
-    """Revolutions that were drilled to their end."""
+    """The number of complete revolutions."""
     return int(np.floor(summary["revolutions"] + 1e-9))
 
 
 def read_cutters(folder, summary):
-    """The cutters of bit.json, by tip radius, each with the volumes of all its parts added."""
+    """The cutters of bit.json, sorted by tip radius, each with the sum of the volumes of its parts."""
     volumes = summary["removed_volume_by_part_by_revolution_m3"]
     cutters = []
     for row in read_json(Path(folder) / "bit.json")["cutters"]:
@@ -55,7 +55,7 @@ def read_cutters(folder, summary):
 
 
 def read_ply(path):
-    """Positions and triangles of a binary or text PLY file as this program writes it."""
+    """Positions and triangles of a binary or text PLY file that TDBD wrote."""
     data = path.read_bytes()
     end = data.index(b"end_header\n") + len(b"end_header\n")
     head = data[:end].decode()
@@ -72,7 +72,7 @@ def read_ply(path):
 
 
 def heights(x, t, reach, cell):
-    """z (m) of the highest triangle over every point of a square grid (z is down): from -reach to reach (m), a cell apart."""
+    """z (m) of the highest triangle at each point of a square grid (z is down), from -reach to reach (m), with the spacing `cell`."""
     n = int(2 * reach / cell) + 1
     z = np.full((n, n), np.inf)
     a, b, c = ((x[t[:, k]] + [reach, reach, 0]) / [cell, cell, 1] for k in range(3))
@@ -98,10 +98,11 @@ def heights(x, t, reach, cell):
 
 
 def distances(z, other, reach, cell, least, most):
-    """How far another surface is from one, m: the vertical distance times the cosine of its slope, at the points of the grid with least <= r <= most (m)."""
+    """Distances of a surface from another one, m: the vertical distance times the cosine of the slope, at the points of the grid with
+    least <= r <= most (m)."""
     at = np.arange(z.shape[0]) * cell - reach
     r = np.hypot(at[:, None], at[None, :])
-    with np.errstate(invalid="ignore"):  # beyond the rock
+    with np.errstate(invalid="ignore"):  # outside the rock
         slope = np.hypot(*np.gradient(z, cell))
         distance = abs(other - z) / np.sqrt(1 + slope**2)
     return distance[(r >= least) & (r <= most) & np.isfinite(distance)]

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
-"""Numbers in the prose of READMEs: each comes from a file of the repository, or was chosen rather than measured.
+"""Checks or writes the numbers in the prose of READMEs. Each is computed from a file of the repository, or was chosen rather than measured.
 
-    reports/stated.py --write     writes the numbers of the prose again, from the data
-    reports/stated.py --check     exit code 1 if a number is not what the data say, or comes from nowhere
+    reports/stated.py --write     writes the numbers into the prose, computed from the data
+    reports/stated.py --check     exit code 1 if a number differs from the data, or has no source
 
-`[stated]` of the study.toml beside a README.md has two lists. Each entry of `numbers` is a piece of the text with a place for
-each number, as str.format has them, and an expression for each number, or one for all: a list. `given` has pieces of the text
-whose numbers were chosen: sizes, speeds, goals. stated() of study.py yields further entries of `numbers`, with values in place
-of expressions. Every number of the prose is in one of the two lists. Code, tables, dates, citations and links are not prose.
-`scripts/report --readme` calls the first command, tests and `scripts/report --check` the second.
+`[stated]` of the study.toml beside a README.md has two lists. Each entry of `numbers` is a piece of the text with a
+placeholder of str.format for each number, and an expression for each number, or one expression for a list of all. `given` has
+pieces of the text whose numbers were chosen: sizes, speeds, goals. stated() of study.py yields further entries of `numbers`,
+with values instead of expressions. Every number of the prose is in one of the two lists. Code, tables, dates, citations and
+links are not prose. `scripts/report --readme` calls the first command; tests and `scripts/report --check` call the second.
 """
 
 import argparse
@@ -24,7 +24,7 @@ REMEDY = "run scripts/report --readme"
 FIELD = re.compile(r"\{[^{}]*\}")
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 WORD = re.compile(rf"(?<![\w.]){NUMBER}(?![\w])")
-# What is not prose, in this order. Blanks take its place, so that a place in the text stays one.
+# Text that is not prose, in the order of removal. It is replaced by blanks, so that positions in the text do not change.
 NOT_PROSE = [re.compile(pattern, flags) for pattern, flags in (
     (r"<!--.*? begin -->.*?<!--.*? end -->", re.DOTALL),  # written by scripts
     (r"^```.*?^```", re.DOTALL | re.MULTILINE),
@@ -39,14 +39,14 @@ NOT_PROSE = [re.compile(pattern, flags) for pattern, flags in (
 
 
 def prose(text):
-    """The text with blanks in place of everything that is not prose."""
+    """The text, with everything that is not prose replaced by blanks."""
     for pattern in NOT_PROSE:
         text = pattern.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
     return text
 
 
 def spaced(piece):
-    """A pattern for a piece of text, which may be wrapped anywhere."""
+    """A pattern for a piece of text with line breaks at any space."""
     return r"\s+".join(re.escape(word) for word in piece.split())
 
 
@@ -67,18 +67,18 @@ def pattern_of(phrase):
 
 
 def written(field, number):
-    """As the text has it: 2e-7, not 2e-07."""
+    """The number as the text writes it: 2e-7, not 2e-07."""
     return re.sub(r"e([-+])0*(\d)", lambda e: "e" + e.group(1).replace("+", "") + e.group(2), field.format(number))
 
 
 def values_of(study, expressions):
-    """The numbers of expressions; one that gives a list or a tuple gives several."""
+    """The numbers of expressions. An expression may return several, as a list or a tuple."""
     found = [study.value(e) for e in expressions]
     return [n for value in found for n in (value if isinstance(value, (list, tuple)) else [value])]
 
 
 class Stated:
-    """A README with the numbers that the study.toml and the study.py beside it state. Raises Stale when they fail."""
+    """A README, and the numbers that the study.toml and the study.py in its folder give. Raises Stale if these fail."""
 
     def __init__(self, root, readme):
         self.root, self.readme = Path(root), readme
@@ -86,10 +86,10 @@ class Stated:
         plan = study.plan.get("stated", {})
         self.given = list(plan.get("given", []))
         self.phrases = [(phrase, *values_of(study, expressions)) for phrase, *expressions in plan.get("numbers", [])]
-        self.says = bool(self.given or self.phrases)
+        self.is_stated = bool(self.given or self.phrases)
         if own := study.function("stated"):
             self.phrases += [tuple(p) for p in own()]
-            self.says = True
+            self.is_stated = True
 
     def name(self):
         return str(self.readme.relative_to(self.root))
@@ -98,12 +98,12 @@ class Stated:
         return self.readme.read_text(encoding="utf-8")
 
     def places(self, text):
-        """[(place in the text, found, expected, phrase)] of all stated numbers, and problems of phrases that are not there once."""
+        """[(position in the text, found, expected, phrase)] of all stated numbers, and problems of phrases that do not occur exactly once."""
         numbers, problems = [], []
         for phrase, *values in self.phrases:
             fields, found = FIELD.findall(phrase), list(pattern_of(phrase).finditer(text))
             if len(fields) != len(values) or not fields:
-                problems.append(f"{self.name()}: study.toml gives {len(values)} numbers for {phrase!r}, which has {len(fields)} places")
+                problems.append(f"{self.name()}: study.toml gives {len(values)} numbers for {phrase!r}, which has {len(fields)} placeholders")
             elif len(found) != 1:
                 problems.append(f"{self.name()}: found {len(found)} pieces of text like {phrase!r}, expected 1")
             else:
@@ -113,24 +113,24 @@ class Stated:
     def problems(self):
         text = self.text()
         numbers, problems = self.places(text)
-        problems += [f"{self.name()}, line {line_of(text, span)}: found {found} in {phrase!r}, the data say {expected}; {REMEDY}"
+        problems += [f"{self.name()}, line {line_of(text, span)}: found {found} in {phrase!r}, the data give {expected}; {REMEDY}"
                      for span, found, expected, phrase in numbers if found != expected]
-        return problems + self.unsaid(text, [span for span, *_ in numbers])
+        return problems + self.without_source(text, [span for span, *_ in numbers])
 
-    def unsaid(self, text, known):
-        """Numbers of the prose without a source, and given pieces that the text no longer has."""
+    def without_source(self, text, known):
+        """Numbers of the prose without a source, and pieces of `given` that the text does not contain."""
         problems = []
         for piece in self.given:
             found = [m.span() for m in re.finditer(spaced(piece), text)]
             known = known + found
             if not found:
-                problems.append(f"{self.name()}: study.toml has {piece!r} among what is given, which the text does not have")
-        problems += [f"{self.name()}, line {line_of(text, m.span())}: {m.group()} comes from no file; put it into [stated] of the study.toml beside it"
+                problems.append(f"{self.name()}: found no {piece!r} in the text, which `given` in study.toml contains")
+        problems += [f"{self.name()}, line {line_of(text, m.span())}: {m.group()} has no source; add it to [stated] of the study.toml in its folder"
                      for m in WORD.finditer(prose(text)) if not any(a <= m.start() and m.end() <= b for a, b in known)]
         return problems
 
     def write(self):
-        """Writes the numbers of the data into the text. Returns the problems that remain."""
+        """Writes the numbers into the text. Returns the problems that remain."""
         text = self.text()
         numbers, problems = self.places(text)
         for (first, end), _, expected, _ in sorted(numbers, reverse=True):
@@ -144,13 +144,13 @@ def line_of(text, span):
 
 
 def must_state(root):
-    """READMEs whose every number must come from somewhere."""
+    """The READMEs in which every number must have a source."""
     root = Path(root)
     return [f for f in (*sorted((root / "reports/studies").glob("*/README.md")), root / "benchmarks/README.md") if f.is_file()]
 
 
 def find(root):
-    """(READMEs with their stated numbers, problems of READMEs without any)."""
+    """(READMEs with stated numbers, problems of READMEs without them)."""
     root, found, problems = Path(root), [], []
     for readme in must_state(root):
         try:
@@ -158,10 +158,10 @@ def find(root):
         except Stale as error:
             problems.append(str(error))
             continue
-        if one.says:
+        if one.is_stated:
             found.append(one)
         elif numbers := WORD.findall(prose(one.text())):
-            problems.append(f"{one.name()}: {len(numbers)} numbers and no [stated] in a study.toml beside it, which says where they come from")
+            problems.append(f"{one.name()}: found {len(numbers)} numbers and no [stated] in a study.toml in its folder, which gives their sources")
     return found, problems
 
 

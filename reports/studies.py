@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""The studies of reports/studies: questions that were measured once, each with a README, data, and a table or a figure of them.
+"""Makes or measures the studies of reports/studies: questions that were measured once, each with a README, data, and a table or a figure.
 
-    reports/studies.py NAME [--output DIR]      table.md and figure.png of a study, from its data
+    reports/studies.py NAME [--output DIR]      makes table.md and figure.png of a study from its data
     reports/studies.py NAME --measure           measures its data again; requires a release build
         --build DIR       another build (build/release)
-        --results DIR     keeps the runs in DIR, and does not repeat those that are there
-        --only FILE ...   only these CSV files, or parts that the study's README names
+        --results DIR     keeps the runs in DIR, and does not repeat runs that DIR contains
+        --only FILE ...   measures only these CSV files, or parts that the study's README names
 
-`scripts/report --study NAME` calls it. study.py reads a study, study_figures.py makes its table and figure, study_runs.py measures.
+`scripts/report --study NAME` calls this script. study.py reads a study, study_figures.py makes table and figure, study_runs.py measures.
 """
 
 import argparse
@@ -26,14 +26,14 @@ import fingerprint
 from fingerprint import Stale
 
 HERE = Path(__file__).resolve().parent
-TIME_LIMIT = 120  # s: making reads data, it measures nothing
+TIME_LIMIT = 120  # s; a study is made from data, without measurements
 PRODUCTS = ("table.md", "figure.png")
 MADE_BY = ("study.py", "study_figures.py", "study_tools.py", "figures/style.py")  # a change of these makes all studies again
 
 
 @dataclass(frozen=True)
 class Shown:
-    """What the page shows of a study."""
+    """The parts of a study that the page shows."""
 
     name: str
     folder: Path
@@ -42,7 +42,7 @@ class Shown:
 
 
 def read(folder):
-    """The study in a folder. Raises Stale when README.md is missing, its title is, or both study.toml and study.py are."""
+    """The study in a folder. Raises Stale if README.md or its title is missing, or if both study.toml and study.py are."""
     if not (folder / "README.md").is_file():
         raise Stale(f"study {folder.name}: {folder / 'README.md'} is missing")
     if not any((folder / file).is_file() for file in ("study.toml", "study.py")):
@@ -59,7 +59,7 @@ def find(root):
 
 
 def as_html(text):
-    """Markdown as HTML; its headings are one level below those of the page."""
+    """Markdown as HTML, with headings one level below those of the page."""
     import markdown
     from markupsafe import Markup
     html = markdown.markdown(text, extensions=["tables", "fenced_code"], output_format="html")
@@ -67,7 +67,7 @@ def as_html(text):
 
 
 class Studies:
-    """What the studies make, in OUTPUT/NAME, with stamps NAME.made.json beside."""
+    """The products of the studies in OUTPUT/NAME, with stamps OUTPUT/NAME.made.json."""
 
     def __init__(self, root, output):
         self.root, self.output = Path(root), Path(output)
@@ -82,11 +82,11 @@ class Studies:
         return self.output / f"{study.name}.made.json"
 
     def products(self, study):
-        """Paths of the table and the figure, those that exist."""
+        """Paths of the table and the figure, if they exist."""
         return [self.folder(study) / p for p in PRODUCTS if (self.folder(study) / p).is_file()]
 
     def inputs(self, study):
-        """Fingerprint of the study's files, and of what makes tables and figures of them."""
+        """Fingerprint of the files of the study and of the scripts that make its tables and figures."""
         files = sorted(f for f in study.folder.rglob("*") if f.is_file() and "__pycache__" not in f.parts)
         own = [[str(f.relative_to(study.folder)), fingerprint.of_file(f)] for f in files]
         shared = [fingerprint.of_file(HERE / name) for name in MADE_BY]
@@ -96,7 +96,7 @@ class Studies:
         return bool(self.products(study)) and fingerprint.read(self.stamp(study)).get("inputs") == self.inputs(study)
 
     def call(self, study):
-        """Makes table and figure in a process of its own. Raises Stale when that fails or writes neither."""
+        """Makes table and figure in a separate process. Raises Stale if that fails or writes neither."""
         folder = self.folder(study)
         folder.mkdir(parents=True, exist_ok=True)
         for product in self.products(study):
@@ -105,14 +105,14 @@ class Studies:
             done = subprocess.run([sys.executable, "-B", __file__, study.folder, "--output", folder],
                                   capture_output=True, text=True, timeout=TIME_LIMIT, check=False)
         except subprocess.TimeoutExpired as error:
-            raise Stale(f"study {study.name}: took more than {TIME_LIMIT} s to make; it should only read data") from error
+            raise Stale(f"study {study.name}: took more than {TIME_LIMIT} s; expected a study that only reads data") from error
         if done.returncode != 0:
             raise Stale(f"study {study.name}: making failed with exit code {done.returncode}\n{done.stderr.strip()}")
         if not self.products(study):
             raise Stale(f"study {study.name}: made neither {' nor '.join(PRODUCTS)}")
 
     def update(self, study):
-        """Makes a stale study; returns whether it did."""
+        """Makes the study if it is stale. Returns whether it was made."""
         if self.is_current(study):
             return False
         self.stamp(study).unlink(missing_ok=True)
@@ -125,18 +125,18 @@ class Studies:
             raise Stale(f"{self.folder(study)}: study {study.name}: its table or figure is missing, or its files changed after it was made")
 
     def table(self, study):
-        """The table as HTML; empty when there is none."""
+        """The table as HTML; empty if there is none."""
         path = self.folder(study) / "table.md"
         return as_html(path.read_text(encoding="utf-8")) if path.is_file() else ""
 
     def figure(self, study):
-        """The path of the figure; None when there is none."""
+        """The path of the figure; None if there is none."""
         path = self.folder(study) / "figure.png"
         return path if path.is_file() else None
 
 
 def make(study, out):
-    """Writes OUT/table.md and OUT/figure.png, those that the study has."""
+    """Writes OUT/table.md and OUT/figure.png, if the study has a table and a figure."""
     import study_figures
     out.mkdir(parents=True, exist_ok=True)
     study_figures.write_tables(study, out)
@@ -151,7 +151,7 @@ def main(arguments):
     parser.add_argument("--output", type=Path, help="where table and figure go (results/report/studies/NAME)")
     parser.add_argument("--measure", action="store_true", help="measure the data again")
     parser.add_argument("--build", type=Path, default=HERE.parent / "build/release")
-    parser.add_argument("--results", type=Path, help="keep runs here, and do not repeat those that are there")
+    parser.add_argument("--results", type=Path, help="keep runs in this folder, and do not repeat runs that it contains")
     parser.add_argument("--only", nargs="+", default=(), metavar="FILE", help="measure only these CSV files")
     chosen = parser.parse_args(arguments)
     folder = Path(chosen.study) if Path(chosen.study).is_dir() else HERE / "studies" / chosen.study

@@ -1,7 +1,7 @@
-"""One study: its folder, its study.toml, its study.py, and its data by name, as expressions of study.toml use them.
+"""Reads one study: its study.toml, its study.py, and its data by name, as expressions of study.toml use them.
 
 study.toml has `tables`, `[let]`, `[measure]`, `[figure]` and `[stated]`, all optional; README.md explains them. Its
-expressions are Python. They see every CSV and JSON file of the folder under its name ("steps-before.csv" is `steps_before`),
+expressions are Python. They can use every CSV and JSON file of the folder by its name ("steps-before.csv" is `steps_before`),
 the names of `[let]`, the functions of study.py, and `math`, `np`, `order`, `percent` and `measured`.
 """
 
@@ -37,7 +37,7 @@ class Study:
         return getattr(self.module, name, None)
 
     def value(self, expression, **more):
-        """The value of an expression. Raises Stale with the expression when it fails."""
+        """The value of an expression. Raises Stale with the expression if it fails."""
         try:
             return eval(expression, {**self.names, **more})  # noqa: S307
         except Exception as error:
@@ -45,7 +45,7 @@ class Study:
 
 
 def load_module(path):
-    """The module at a path, which may import the modules of reports/. Raises Stale when it fails."""
+    """The module at a path, which may import the modules of reports/. Raises Stale if the import fails."""
     spec = importlib.util.spec_from_file_location(f"study_of_{path.parent.name.replace('-', '_')}", path)
     module = importlib.util.module_from_spec(spec)
     sys.path.insert(0, str(REPORTS))
@@ -59,7 +59,7 @@ def load_module(path):
 
 
 def read_plan(folder):
-    """study.toml, {} when there is none. Raises Stale for unknown tables."""
+    """The contents of study.toml, {} if there is none. Raises Stale for unknown tables."""
     file = folder / "study.toml"
     try:
         plan = tomllib.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
@@ -75,7 +75,7 @@ def name_of(file):
 
 
 def data_of(folder):
-    """{name: data} of all CSV and JSON files of a folder; where both have a name, it is the CSV file's."""
+    """{name: data} of all CSV and JSON files of a folder. If both have the same name, the CSV file is used."""
     found = {name_of(file): json.loads(file.read_text(encoding="utf-8")) for file in sorted(folder.glob("*.json"))}
     return found | {name_of(file): study_tools.read_rows(file) for file in sorted(folder.glob("*.csv"))}
 

@@ -1,15 +1,15 @@
-"""Tables and figures of a study, from `tables` and `[figure]` of its study.toml.
+"""Makes the tables and the figure of a study from `tables` and `[figure]` of its study.toml.
 
-tables        file = "x.csv": the file as it is; or rows = EXPRESSION and columns = [[HEADING, EXPRESSION of the row r], ...];
+tables        file = "x.csv": the file unchanged; or rows = EXPRESSION and columns = [[HEADING, EXPRESSION of the row r], ...];
               caption: the text above it
 [figure]      size = [WIDTH, HEIGHT] in inches, panels = [ROWS, COLUMNS] ([1, 1]), sharex = true
-[[figure.axes]]   what matplotlib's axes.set takes (xlabel, ylim, xscale, ...), legend = {...}, and draw, a list of
+[[figure.axes]]   the arguments of matplotlib's axes.set (xlabel, ylim, xscale, ...), legend = {...}, and draw, a list of
               {of = TABLE, x = COLUMN, y = COLUMN, style = "o-", color = "BLUE", ...}: a line. A column that begins with "="
               is an expression, in which c("COLUMN") is a column of the table as an array
               {axhline = 0.0}, {axvline = EXPRESSION}, {axhspan = [LOW, HIGH]}
               {call = "NAME"}: the function NAME(axes) of study.py
               Any string that begins with "=" is an expression. Colours in capitals are those of figures/style.py.
-tables() of study.py returns a text that follows the tables; figure() returns a figure, in place of [figure].
+tables() of study.py returns a text that follows the tables. figure() returns a figure and replaces [figure].
 """
 
 from pathlib import Path
@@ -32,7 +32,7 @@ def table_text(study, entry):
 
 
 def write_tables(study, out):
-    """Writes OUT/table.md when the study has tables."""
+    """Writes OUT/table.md if the study has tables."""
     texts = [table_text(study, entry) for entry in study.plan.get("tables", [])]
     if own := study.function("tables"):
         texts.append(own())
@@ -41,12 +41,12 @@ def write_tables(study, out):
 
 
 def colour(style, value):
-    """A colour by its name in style.py, or as matplotlib has it."""
+    """A colour: a name of style.py in capitals, or a colour of matplotlib."""
     return getattr(style, value) if value.isupper() else value
 
 
 def values(study, table, column):
-    """A column of a table, or what an expression makes of its columns."""
+    """A column of a table, or the value of an expression of its columns."""
     import numpy as np
     if not column.startswith("="):
         return table[column]
@@ -75,7 +75,7 @@ def draw(study, style, axes, entry):
 
 
 def infinite(limits):
-    """Limits with None for "auto", which TOML cannot express otherwise."""
+    """Limits, with None for "auto", because TOML has no None."""
     return [None if x == "auto" else x for x in limits]
 
 
@@ -88,7 +88,7 @@ def finish(axes, entry):
 
 
 def write_figure(study, out):
-    """Writes OUT/figure.png: from `[figure]`, or what figure() of study.py returns."""
+    """Writes OUT/figure.png: the figure of `[figure]`, or the one that figure() of study.py returns."""
     plan, own = study.plan.get("figure"), study.function("figure")
     if plan is None and own is None:
         return

@@ -1,17 +1,17 @@
-"""Measuring a study: starts the programs of a build, and writes what they print or store to the CSV files of the study.
+"""Measures a study: starts the programs of a build, and writes their output to the CSV files of the study.
 
-`[measure]` of study.toml lists what needs no code; measure(m) of study.py does the rest with a Measure.
+`[measure]` of study.toml lists the measurements that need no code. The others are in measure(m) of study.py, where m is a Measure.
 
 [[measure.runs]]      a run of tdbd for each point of a grid
-    file, case        the CSV file; the case, or "grid" when the grid has it
-    set               {KEY = VALUE} of every run
+    file, case        the CSV file; the case, or "grid" if the case is an axis of the grid
+    set               {KEY = VALUE} for every run
     grid              [[HEADING, KEY, VALUES, UNIT], ...]; the unit may be left out
     columns           [[HEADING, EXPRESSION, FORMAT], ...]; s is summary.json, h is history.nc
-[[measure.printed]]   what tests of a test program print
+[[measure.printed]]   lines that tests of a test program print
     file, program, tests, pattern      {n} in the pattern is a number; every match is a row
     columns           [[HEADING, FORMAT], ...], one for each group of the pattern
     first             true: only the first row with each value of the first column
-    repeat            how often the tests run; the largest rows count
+    repeat            how often the tests run; the largest rows are used
 """
 
 import hashlib
@@ -31,7 +31,7 @@ NUMBER = r"([-+]?\d+(?:\.\d+)?)"
 
 
 def setting(value):
-    """A value as --set takes it."""
+    """A value in the syntax of --set."""
     return json.dumps(value) if isinstance(value, (str, bool)) else str(value)
 
 
@@ -40,7 +40,7 @@ def set_words(settings):
 
 
 def found_all(pattern, text):
-    """The numbers in the groups of every match, {n} in the pattern being a number."""
+    """The numbers in the groups of every match. {n} in the pattern is a number."""
     return [[float(n) for n in place.groups()] for place in re.finditer(pattern.replace("{n}", NUMBER), text)]
 
 
@@ -52,19 +52,19 @@ def found(pattern, text):
 
 @dataclass
 class Run:
-    """A result folder. With `keep`, or --results, it stays; otherwise the next run replaces it."""
+    """A result folder. It is kept with `keep` or --results; otherwise the next run replaces it."""
 
     folder: Path
     summary: dict
     history: object  # an xarray.Dataset in memory
 
     def mean(self, name, since):
-        """The mean of a variable of the history, from a time on, s."""
+        """The mean of a variable of the history after the time `since`, s."""
         return float(self.history[name].values[self.history.time.values > since].mean())
 
 
 class Measure:
-    """What measure() of a study.py is given."""
+    """The argument of measure() of a study.py."""
 
     def __init__(self, folder, build, temporary, results=None, only=()):
         self.folder, self.build, self.temporary, self.only = Path(folder), Path(build), Path(temporary), only
@@ -72,7 +72,7 @@ class Measure:
         self.tdbd = self.build / "tdbd"
 
     def includes(self, part):
-        """Whether a part of the study is to be measured: all are, unless --only names some."""
+        """Whether a part of the study is measured. --only selects parts; the default is all."""
         return not self.only or part in self.only
 
     def write(self, file, rows):
@@ -84,7 +84,7 @@ class Measure:
         print(f"wrote {self.folder / file}", flush=True)
 
     def replace(self, file, rows, column, order):
-        """Writes rows in place of those with the same values of a column, sorted by that column in the given order. Other rows stay."""
+        """Replaces the rows that have the same values of a column, and keeps other rows. Rows are sorted by that column in the given order."""
         rows = list(rows)
         measured = {row[column] for row in rows}
         headings, *lines = read_text(self.folder / file)
@@ -102,14 +102,14 @@ class Measure:
         return self.file(name, text)
 
     def place(self, words, case):
-        """Where a run goes: below --results by what it is made of, or to the temporary folder."""
+        """The folder of a run: a folder of --results that is named by a hash of command and case, or the temporary folder."""
         if self.results is None:
             return self.temporary / "run"
         key = json.dumps([list(map(str, words)), Path(case).read_text(encoding="utf-8")])
         return self.results / hashlib.sha256(key.encode()).hexdigest()[:16]
 
     def run(self, case, settings=None, command="run", words=(), keep=None):
-        """Runs tdbd on a case of the project or a file, unless --results has the run. Ends with its message when it fails."""
+        """Runs tdbd on a case of the project or a file, unless --results contains the run. Exits with the error message of tdbd if it fails."""
         case = ROOT / case
         options = ["--force", "--quiet", *words, *set_words(settings or {})]
         out = self.temporary / keep if keep else self.place([command, *options], case)
@@ -125,7 +125,7 @@ class Measure:
         return subprocess.run([self.tdbd, "check", ROOT / case, *set_words(settings)], capture_output=True, check=False).returncode == 0
 
     def output(self, program, *words, codes=(0,)):
-        """What a program of the build prints; what tests record is dropped. Ends with its output for other exit codes."""
+        """The output of a program of the build. Evidence that tests record is discarded. Exits with the output for other exit codes."""
         with tempfile.TemporaryDirectory() as evidence:
             done = subprocess.run([self.build / program, *words], capture_output=True, text=True, check=False,
                                   env=os.environ | {"TDBD_EVIDENCE": evidence})
@@ -178,7 +178,7 @@ def rows_of_tests(measure, plan):
     texts = (measure.printed(f"verification/{plan['program']}", plan["tests"]) for _ in range(plan.get("repeat", 1)))
     matches = max([found.groups() for found in pattern.finditer(text)] for text in texts)
     if not matches:
-        raise SystemExit(f"found nothing like {plan['pattern']!r} in what {plan['program']} prints")
+        raise SystemExit(f"found no match of {plan['pattern']!r} in the output of {plan['program']}")
     if plan.get("first"):
         matches = {groups[0]: groups for groups in reversed(matches)}
         matches = list(reversed(matches.values()))
@@ -191,7 +191,7 @@ def measure(study, build, results=None, only=()):
     plan = study.plan.get("measure", {})
     own = study.function("measure")
     if not plan and not own:
-        raise SystemExit(f"study {study.name} has no [measure] and no measure(); its README.md says how it was measured")
+        raise SystemExit(f"study {study.name} has no [measure] and no measure(); its README.md describes how it was measured")
     with tempfile.TemporaryDirectory() as temporary:
         m = Measure(study.folder, build, temporary, results, only)
         for entry in plan.get("runs", []):

@@ -1,4 +1,4 @@
-"""The data of studies: CSV files as tables, Markdown tables, and what benchmarks/measured.json contains."""
+"""Reads and writes the data of studies: CSV files, Markdown tables, and values of benchmarks/measured.json."""
 
 import csv
 import json
@@ -27,7 +27,7 @@ class Table(list):
         return Table(row for row in self if all(row[name] == value for name, value in wanted))
 
     def row(self, *pairs):
-        """The only row with these values. Raises KeyError when there is not exactly one."""
+        """The only row with these values. Raises KeyError if there is not exactly one."""
         found = self.where(*pairs)
         if len(found) != 1:
             raise KeyError(f"found {len(found)} rows with {pairs}, expected 1")
@@ -46,7 +46,7 @@ def numbers(words):
 
 
 def read_rows(path):
-    """A CSV file with a line of headings. A column has numbers when all its values are numbers, else text."""
+    """Reads a CSV file with a line of headings. A column contains numbers if all its values are numbers, otherwise text."""
     headings, *rows = read_text(path)
     columns = {h: numbers([row[i] for row in rows]) for i, h in enumerate(headings)}
     return Table(dict(zip(columns, values, strict=True)) for values in zip(*columns.values(), strict=True))
@@ -91,8 +91,8 @@ def benchmark_data():
 
 
 def measured(*path):
-    """The value at a path of keys as benchmarks/goals.json has them; "before" in front selects the older commit.
-    Raises KeyError when there is none."""
+    """The value at a path of keys of benchmarks/goals.json. "before" as the first key selects the older commit.
+    Raises KeyError if there is no such value."""
     sys.path.insert(0, str(ROOT / "benchmarks"))
     try:
         from goals import figures, find

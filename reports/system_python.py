@@ -1,4 +1,4 @@
-"""The scripts need Debian's numpy and matplotlib. Started by another python, which lacks them, a script starts again by Debian's."""
+"""Restarts a script with Debian's Python if the current one lacks numpy or matplotlib."""
 
 import importlib.util
 import os
@@ -9,7 +9,7 @@ MARK = "TDBD_STARTED_AGAIN"
 
 
 def require(*modules):
-    """Returns if all modules are there; otherwise starts the script again, once, or ends with a message that names the missing ones."""
+    """Returns if all modules are installed. Otherwise restarts the script once, or exits with a message that names the missing modules."""
     missing = [m for m in modules if importlib.util.find_spec(m) is None]
     if not missing:
         return

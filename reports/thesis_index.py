@@ -8,7 +8,7 @@ from manifest import ManifestError, checked, load
 
 ENTRY_KEYS = {"number": str, "title": str, "known": str, "instead": str, "counterpart": list, "why": str}
 OPTIONAL = {"instead", "counterpart", "why"}
-KNOWN = ("text", "title")  # what our copy contains of it
+KNOWN = ("text", "title")  # the part of it that is available
 NUMBER = re.compile(r"(figure|table) ([1-9]|[A-Z])\.([1-9][0-9]*)")
 RANGE = re.compile(r"([1-9]|[A-Z])\.([1-9][0-9]*) to \1\.([1-9][0-9]*)")
 REGENERATED, COUNTERPART, NOT_MADE = "regenerated", "counterpart", "not made"
@@ -44,7 +44,7 @@ def numbers(thesis):
 
 
 def in_manifest(manifest):
-    """{"figure 4.2": [names]} of what the manifest draws under a number of the thesis."""
+    """{"figure 4.2": [names]} of the figures of the manifest that have a number of the thesis."""
     drawn = {}
     for f in manifest.figures:
         for number in numbers(f.thesis):
@@ -65,7 +65,7 @@ def entry_of(path, table):
 
 
 def gaps(entries):
-    """Numbers of the index that do not follow the one before them in their chapter."""
+    """Problems of numbers that do not follow the previous number of their chapter."""
     last = {}
     for e in entries:
         kind, chapter, count = NUMBER.fullmatch(e.number).groups()
@@ -76,7 +76,7 @@ def gaps(entries):
 
 
 def exists(root, manifest, kind, name):
-    """Whether a counterpart exists. Those that validation/chapter6 makes are checked by `missing`."""
+    """Whether a counterpart exists. `missing` checks those that validation/chapter6 makes."""
     if kind == "chapter6":
         return True
     known = {"figure": {f.name for f in manifest.figures}, "claim": {c.slug for c in manifest.claims}}
@@ -84,25 +84,25 @@ def exists(root, manifest, kind, name):
 
 
 def problems_of(entry, drawn, is_there):
-    """What is wrong with one entry, in words."""
+    """The problems of one entry."""
     if (ways := (bool(drawn), bool(entry.counterpart), bool(entry.why))).count(True) != 1:
-        said = [w for w, has in zip((f"the manifest's {', '.join(drawn)}", "counterpart", "why"), ways) if has]
-        yield f"found {' and '.join(said) or 'nothing'}, expected one: a figure of manifest.toml, a counterpart, or why there is none"
+        sources = [w for w, has in zip((f"the manifest's {', '.join(drawn)}", "counterpart", "why"), ways) if has]
+        yield f"found {' and '.join(sources) or 'nothing'}, expected one: a figure of manifest.toml, a counterpart, or why there is none"
     if entry.counterpart and not entry.instead:
-        yield "a counterpart without instead, which says how it differs"
+        yield "found a counterpart without the key `instead`, which describes the difference"
     for c in entry.counterpart:
         if len(c) != 2 or not is_there(*c):
             yield f"there is no counterpart {' '.join(c)}"
 
 
 def read(root, manifest):
-    """The entries of reports/thesis_index.toml. Raises ManifestError unless they and the whole manifest agree."""
+    """The entries of reports/thesis_index.toml. Raises ManifestError if they are inconsistent with the manifest."""
     path = Path(root) / "reports/thesis_index.toml"
     entries = tuple(entry_of(path, t) for t in load(path)["entries"])
     drawn = in_manifest(manifest)
     problems = list(gaps(entries))
     known = {e.number for e in entries}
-    problems += [f"{n}: manifest.toml draws it ({', '.join(names)}), and the thesis has no such number"
+    problems += [f"{n}: manifest.toml draws it ({', '.join(names)}), but the thesis has no such number"
                  for n, names in drawn.items() if n not in known]
     for e in entries:
         there = lambda kind, name: exists(Path(root), manifest, kind, name)
@@ -113,14 +113,14 @@ def read(root, manifest):
 
 
 def missing(entries, made):
-    """Counterparts of chapter 6 that its script does not make, as problems; `made` are names, or None when it did not run."""
+    """Counterparts of chapter 6 that its script does not make, as problems. `made`: the names that it made, or None if it did not run."""
     return [f"reports/thesis_index.toml: {e.number}: there is no counterpart chapter6 {name}"
             for e in entries for kind, name in e.counterpart
             if kind == "chapter6" and made is not None and name not in made]
 
 
 def rows(entries, manifest):
-    """A row for each entry; `manifest` is the whole one, so that --quick gives the same rows."""
+    """A row for each entry. `manifest` is the complete one, so that --quick gives the same rows."""
     drawn = in_manifest(manifest)
     for e in entries:
         own = tuple(("figure", name) for name in drawn.get(e.number, []))
@@ -130,8 +130,8 @@ def rows(entries, manifest):
 
 def counts(found):
     """{kind: {status: count}} of rows."""
-    told = {}
+    found_counts = {}
     for row in found:
-        of_kind = told.setdefault(row.entry.number.split(" ")[0], {REGENERATED: 0, COUNTERPART: 0, NOT_MADE: 0})
+        of_kind = found_counts.setdefault(row.entry.number.split(" ")[0], {REGENERATED: 0, COUNTERPART: 0, NOT_MADE: 0})
         of_kind[row.status] += 1
-    return told
+    return found_counts

@@ -287,7 +287,7 @@ WHAT = "energy of a bouncing bit"
 
 
 def wall_ledger(inputs):
-    """Ours: energy of a bit that bounces in an elastic hole, by the Runge-Kutta method and by a symplectic one."""
+    """Addition of TDBD: energy of a bit that bounces in an elastic hole, by the Runge-Kutta method and by a symplectic one."""
     rows = inputs.table("wall-ledger")
     if not rows:
         return style.only_words(WHAT)

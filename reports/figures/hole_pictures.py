@@ -151,7 +151,7 @@ BINS = np.linspace(0, 1, 51)
 
 
 def quality_histogram(inputs):
-    """Ours, of 4.2.4.4: the shape quality of the rock's triangles at the beginning, in the middle and at the end of runs."""
+    """Addition of TDBD to 4.2.4.4: the shape quality of the rock's triangles at the beginning, in the middle and at the end of runs."""
     folders = inputs.folders()
     figure, frames = style.panels(1, len(folders), (4.8 * len(folders), 3.4), sharey=True, squeeze=False)
     for axes, folder in zip(frames[0], folders):
@@ -195,7 +195,7 @@ def draw_run(frames, folder, colour):
 
 
 def long_term(inputs):
-    """Ours, of section 4.4.2: mesh and hole over many revolutions."""
+    """Addition of TDBD to section 4.4.2: mesh and hole over many revolutions."""
     figure, frames = style.panels(1, 3, (11.0, 3.6))
     for folder, colour in zip(inputs.folders(), COLOURS):
         draw_run(frames, folder, colour)

@@ -208,7 +208,7 @@ def draw_case(axes, rows, case):
 
 
 def symplectic_defect(inputs):
-    """Ours: how much one step of each drift changes the symplectic form."""
+    """Addition of TDBD: how much one step of each drift changes the symplectic form."""
     rows = inputs.table("symplectic-defect")
     if unknown := {r["drift"] for r in rows or []} - set(style.DRIFTS):
         raise ValueError(f"the table symplectic-defect has drifts without a colour: {sorted(unknown)}")
@@ -254,7 +254,7 @@ def draw_change(axes, run, drift):
 
 
 def energy(inputs):
-    """Ours: the energy of a heavy body with spinning cones over more than a million steps."""
+    """Addition of TDBD: the energy of a heavy body with spinning cones over more than a million steps."""
     figure, (all_drifts, without) = style.panels(2, 1, (7.4, 6.4), sharex=True)
     for settings, run in inputs.sweep("energy"):
         drift = settings["integrator.drift"]
@@ -299,7 +299,7 @@ def draw_rivals(axes, inputs):
 
 
 def work_precision(inputs):
-    """Ours: error against torque evaluations, for every drift and order, beside GSL's Runge-Kutta."""
+    """Addition of TDBD: error against torque evaluations, for every drift and order, beside GSL's Runge-Kutta."""
     figure, grid = style.panels(2, 2, (9.0, 7.4), sharex=True, sharey=True)
     reference = inputs.folder("slow-top-reference")
     for axes, order in zip(grid.flat, ORDERS):

@@ -69,7 +69,7 @@ TEST(BadBit, pads_that_are_on_no_gage) {
   expect_pads_refused("length = 1e30", "length: found 1e+30, expected length in m, in (0, 10]");
 }
 
-TEST(BadBit, tdbd_bit_says_the_same) {
+TEST(BadBit, tdbd_bit_reports_the_same) {
   const SmallCase c;
   c.edit("bit.csv", "16,34,190", "16,nan,190");
   const auto o = battery::run_tdbd({"bit", c.path("bit.toml"), "-o", c.path("out")});

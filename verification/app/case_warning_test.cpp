@@ -29,14 +29,14 @@ nlohmann::json summary(const SmallCase& c, const std::string& out) {
   return nlohmann::json::parse(read(c.path(out + "/summary.json")));
 }
 
-TEST(CaseWarning, tells_a_coefficient_that_acts_on_no_part) {
+TEST(CaseWarning, reports_a_coefficient_that_acts_on_no_part) {
   const SmallCase c = with_A7();
   const auto o = c.check();
   EXPECT_EQ(o.exit_code, 0);
   EXPECT_EQ(o.err, warning(c, idle, 17));
 }
 
-TEST(CaseWarning, of_a_run_is_told_before_its_progress_and_kept_in_its_summary) {
+TEST(CaseWarning, of_a_run_is_printed_before_its_progress_and_stored_in_its_summary) {
   const SmallCase c = with_A7();
   const auto o = c.run();
   EXPECT_EQ(o.exit_code, 0);
@@ -44,7 +44,7 @@ TEST(CaseWarning, of_a_run_is_told_before_its_progress_and_kept_in_its_summary) 
   EXPECT_EQ(summary(c, "out").at("warnings"), nlohmann::json::array({idle}));
 }
 
-TEST(CaseWarning, is_not_told_to_whoever_wants_quiet) {
+TEST(CaseWarning, is_not_printed_with_quiet) {
   const SmallCase c = with_A7();
   EXPECT_EQ(c.run({"--quiet"}).err, "");
   EXPECT_TRUE(summary(c, "out").contains("warnings"));
@@ -57,7 +57,7 @@ TEST(CaseWarning, names_an_override_as_such) {
 }
 
 /// A kind of part that has a table of its own does not feel the run's coefficients.
-TEST(CaseWarning, tells_coefficients_of_kinds_that_follow_another_law) {
+TEST(CaseWarning, reports_coefficients_of_kinds_that_follow_another_law) {
   const SmallCase c = with_A7(
       "A8 = 0.1\n[forces.cse]\nlaw = \"none\"\n[forces.gage_pad]\n"
       "law = \"friction\"\nstress = 1e6\nmu = 0.3\ncap = 2\n");
@@ -81,7 +81,7 @@ TEST(CaseWarning, is_rare) {
   EXPECT_FALSE(summary(c, "out").contains("warnings"));
 }
 
-TEST(CaseWarning, tells_edges_that_show_no_cutter) {
+TEST(CaseWarning, reports_edges_that_resolve_no_cutter) {
   const SmallCase c;
   EXPECT_EQ(c.check({"--set", "rock.edge_length=8 mm"}).err, "");
   const auto o = c.check({"--set", "rock.edge_length=9 mm"});
@@ -92,7 +92,7 @@ TEST(CaseWarning, tells_edges_that_show_no_cutter) {
 }
 
 /// Above the rock or beside it: before the run by its way, and at its end by what it removed.
-TEST(CaseWarning, tells_a_bit_that_never_comes_to_the_rock) {
+TEST(CaseWarning, reports_a_bit_that_never_reaches_the_rock) {
   for (const std::string start : {"[0, 0, -100]", "[10, 0, 0]"}) {
     const SmallCase c;
     c.edit("case.toml", "rotary_speed", "start = " + start + "\nrotary_speed");
@@ -112,7 +112,7 @@ TEST(CaseWarning, tells_a_bit_that_never_comes_to_the_rock) {
 }
 
 /// A centimetre above its hole, too near for a warning at the start.
-TEST(CaseWarning, tells_a_bit_that_removes_nothing_where_it_is) {
+TEST(CaseWarning, reports_the_position_of_a_bit_that_removes_nothing) {
   const SmallCase c;
   const auto o = c.run({"--set", "motion.start=[0, 0, -0.01]"});
   EXPECT_EQ(o.exit_code, 0);

@@ -47,7 +47,7 @@ Told told_of(const SmallCase& c, const std::vector<std::string>& settings) {
 std::string lasting(double seconds) { return "time.duration=" + std::to_string(seconds); }
 
 /// A triangle takes 250 bytes, and the index of a coarse rock less than they do.
-TEST(CheckEstimate, tells_memory_of_its_triangles) {
+TEST(CheckEstimate, reports_memory_of_its_triangles) {
   const Told t = told_of(SmallCase(), {});
   EXPECT_EQ(t.memory_unit, "MB");
   EXPECT_GT(1e6 * t.memory, 240.0 * t.triangles);  // two digits of each
@@ -68,7 +68,7 @@ TEST(CheckEstimate, has_no_exponents) {
 }
 
 /// A thousand times the frames take a thousand times the room, in the next unit.
-TEST(CheckEstimate, tells_room_on_disk_in_the_unit_that_reads_best) {
+TEST(CheckEstimate, reports_disk_space_in_a_suitable_unit) {
   const SmallCase c;
   const std::vector<std::string> flat{"output.frames_every=1", "output.history_every=1000",
                                       "motion.rate_of_penetration=1e-9"};
@@ -84,7 +84,7 @@ TEST(CheckEstimate, tells_room_on_disk_in_the_unit_that_reads_best) {
 }
 
 /// However fast the machine is just now: seconds up to two minutes, minutes up to two hours.
-TEST(CheckEstimate, tells_time_in_the_unit_that_reads_best) {
+TEST(CheckEstimate, reports_time_in_a_suitable_unit) {
   const SmallCase c;
   const std::string slow = "motion.rate_of_penetration=1e-9";
   const double of_a_second = told_of(c, {slow, lasting(10.0)}).seconds() / 10.0;

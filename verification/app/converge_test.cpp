@@ -102,7 +102,7 @@ TEST(Converge, prints_a_table_and_writes_two_files) {
   EXPECT_EQ(read(c.path("orders/convergence.csv")).rfind("time.step,steps,attitude [rad],", 0), 0u);
 }
 
-TEST(Converge, the_same_study_gives_the_same_bytes) {
+TEST(Converge, the_same_study_is_bitwise_identical) {
   const RotateFolder c;
   const std::vector<std::string> study{"--over", "time.step", "--levels", "4", "--quiet"};
   ASSERT_EQ(c.converge(study, "first").exit_code, 0);

@@ -91,7 +91,7 @@ TEST(FailingRotate, a_full_disk_leaves_no_summary) {
   }
 }
 
-TEST(FailingRotate, an_interrupted_run_keeps_everything_and_says_so) {
+TEST(FailingRotate, an_interrupted_run_keeps_everything_and_reports_the_interrupt) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const RotateFolder c;
     const auto o =

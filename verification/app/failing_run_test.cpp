@@ -53,7 +53,7 @@ TEST(FailingRun, that_gets_no_thread_ends_with_a_line) {
 
 /// A bound on passes that is hit names place and parts. What is kept can be looked at and is rock
 /// that another run reads.
-TEST(FailingRun, at_its_bound_of_passes_says_where_and_keeps_a_rock_that_reads_back) {
+TEST(FailingRun, at_its_limit_of_passes_reports_the_position_and_keeps_a_readable_rock) {
   const SmallCase c;
   const auto o = c.run({"--set", "update.most_passes=1"});
   EXPECT_EQ(o.exit_code, 1);
@@ -123,7 +123,7 @@ TEST(FailingRun, forced_again_and_well_leaves_no_trace_of_the_failure) {
   EXPECT_FALSE(fs::exists(c.path("out/failure.txt")));
 }
 
-TEST(InterruptedRun, keeps_everything_and_says_so) {
+TEST(InterruptedRun, keeps_everything_and_reports_the_interrupt) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const SmallCase c;
     const auto o =

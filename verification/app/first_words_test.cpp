@@ -67,12 +67,12 @@ TEST(FirstWords, without_a_command_are_refused) {
     expect_told({word}, "found no command, expected one; tdbd COMMAND --help lists its arguments");
 }
 
-TEST(FirstWords, a_command_without_its_case_asks_for_it) {
+TEST(FirstWords, a_command_without_its_case_names_the_missing_argument) {
   for (const std::string command : {"run", "rotate"})
     expect_told({command}, "found no case, expected a case file, or --resume FOLDER");
 }
 
-TEST(FirstWords, wrong_words_are_told_as_found_and_expected) {
+TEST(FirstWords, wrong_words_are_reported_as_found_and_expected) {
   struct Refused {
     std::vector<std::string> words;
     std::string message;
@@ -122,7 +122,7 @@ TEST(FirstWords, a_file_of_another_kind_names_its_command) {
                              m.words[1]);
 }
 
-TEST(FirstWords, a_setting_without_its_option_is_told) {
+TEST(FirstWords, a_setting_without_its_option_is_reported) {
   const std::string drill = cases + "bit-b-steady.toml";
   expect_told({"check", drill, "--set", "time.revolutions=2", "time.step=1 ms"},
               "found time.step=1 ms without --set, expected --set 'time.step=1 ms'");
@@ -136,7 +136,7 @@ TEST(FirstWords, a_setting_without_its_option_is_told) {
   EXPECT_EQ(o.exit_code, 0) << o.err;
 }
 
-TEST(FirstWords, a_number_a_thousand_times_too_large_asks_for_its_unit) {
+TEST(FirstWords, a_number_a_thousand_times_too_large_suggests_its_unit) {
   expect_told({"check", cases + "bit-b-steady.toml", "--set", "rock.edge_length=2.5"},
               "--set: rock.edge_length: found 2.5, expected length in m, in [1e-05, 0.1]; without "
               "a unit it is in m: did you mean \"2.5 mm\"?");
@@ -147,14 +147,14 @@ TEST(FirstWords, a_number_a_thousand_times_too_large_asks_for_its_unit) {
               "--set: rock.edge_length: found -2.5, expected length in m, in [1e-05, 0.1]");
 }
 
-TEST(FirstWords, help_of_an_option_that_there_is_not_is_told) {
+TEST(FirstWords, help_of_an_unknown_option_is_an_error) {
   expect_told(
       {"help", "--mna"},
       "found the command --mna, expected one of new, run, rotate, string, converge, calibrate, "
       "check, keys, bit, laboratory, sweep, mesh");
 }
 
-TEST(FirstWords, version_tells_what_a_summary_tells) {
+TEST(FirstWords, version_has_the_provenance_of_a_summary) {
   const auto o = battery::run_tdbd({"--version"});
   EXPECT_EQ(o.exit_code, 0);
   for (const char* line : {"tdbd 0", "\ncommit ", "\ncompiler ", "\nflags "})

@@ -29,7 +29,7 @@ TEST(KeysCommand, prints_one_table_with_those_inside_it) {
   EXPECT_TRUE(has(o.out, "\"steady\"")) << o.out;
 }
 
-TEST(KeysCommand, tells_the_nearest_table) {
+TEST(KeysCommand, suggests_the_nearest_table) {
   expect_refusal(battery::run_tdbd({"keys", "motoin"}), "TABLE: found \"motoin\", expected motion");
   expect_refusal(battery::run_tdbd({"keys", "zzz"}),
                  "TABLE: found \"zzz\", expected a table that `tdbd keys` lists");
@@ -71,7 +71,7 @@ TEST(KeysCommand, prints_the_tables_of_designs_alone) {
 }
 
 /// Also where a file names its own keys.
-TEST(KeysCommand, says_of_every_table_what_it_holds) {
+TEST(KeysCommand, describes_every_table) {
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"keys", "--markdown"}, {"keys", "--design", "--markdown"}}) {
     const std::string page = battery::run_tdbd(words).out;

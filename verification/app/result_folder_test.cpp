@@ -8,7 +8,7 @@ namespace tdbd::app::result_folder_test {
 
 using Json = nlohmann::json;
 
-TEST(ResultFolder, holds_every_file_of_the_design) {
+TEST(ResultFolder, contains_every_file_of_the_design) {
   const SmallCase c;
   ASSERT_EQ(c.run({"--set", "output.frames_every=10"}).exit_code, 0);
   EXPECT_EQ(files_below(c.path("out")),
@@ -28,7 +28,7 @@ TEST(ResultFolder, a_collection_has_one_frame_for_one_time) {
   EXPECT_EQ(rock.find("rock-000020.vtp"), std::string::npos);
 }
 
-TEST(ResultFolder, with_frames_the_last_line_says_how_to_look_at_them) {
+TEST(ResultFolder, with_frames_the_last_line_names_a_viewer) {
   const SmallCase c;
   const std::string line = "to view it: reports/page3d.py " + c.path("out").string() + "\n";
   const std::string with = c.run({"--set", "output.frames_every=10"}).out;
@@ -37,7 +37,7 @@ TEST(ResultFolder, with_frames_the_last_line_says_how_to_look_at_them) {
   EXPECT_EQ(c.run({}, "other").out.find("to view it"), std::string::npos);
 }
 
-TEST(ResultFolder, the_summary_holds_the_names_that_scripts_rely_on) {
+TEST(ResultFolder, the_summary_contains_the_names_that_scripts_use) {
   const SmallCase c;
   ASSERT_EQ(c.run({"--threads", "2"}).exit_code, 0);
   const Json s = Json::parse(read(c.path("out/summary.json")));
@@ -57,7 +57,7 @@ TEST(ResultFolder, the_summary_holds_the_names_that_scripts_rely_on) {
   EXPECT_FALSE(s.contains("wall_seconds"));
 }
 
-TEST(ResultFolder, timing_holds_what_depends_on_the_machine) {
+TEST(ResultFolder, timing_contains_what_depends_on_the_machine) {
   const SmallCase c;
   ASSERT_EQ(c.run({"--threads", "2"}).exit_code, 0);
   const Json t = Json::parse(read(c.path("out/timing.json")));
@@ -84,7 +84,7 @@ TEST(Progress, comes_every_few_seconds) {
   EXPECT_NE(o.err.find(" of 50000000  "), std::string::npos) << o.err;
 }
 
-TEST(Progress, quiet_says_nothing) {
+TEST(Progress, quiet_prints_nothing) {
   const SmallCase c;
   const auto o = c.run({"--quiet"});
   EXPECT_EQ(o.exit_code, 0);

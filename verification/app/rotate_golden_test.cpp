@@ -115,7 +115,7 @@ TEST(RotateGolden, the_start_is_the_golden_one) {
 }
 
 /// The shipped cases are the golden ones where they say so.
-TEST(RotateGolden, the_slow_top_and_its_kin_are_shipped) {
+TEST(RotateGolden, the_slow_top_and_similar_cases_are_shipped) {
   const std::pair<const char*, const char*> shipped[] = {{"slow-top", "slow_top"},
                                                          {"heavy-gyrostat", "heavy_gyro_phys"},
                                                          {"free-rotation", "gyro_free_asym_phys"}};

@@ -21,7 +21,7 @@ RotateFolder free_body() {
   return c;
 }
 
-TEST(RotateResult, holds_its_files_and_no_frames) {
+TEST(RotateResult, contains_its_files_and_no_frames) {
   const RotateFolder c;
   summary_of(c);
   EXPECT_EQ(files_below(c.path("out")),
@@ -30,7 +30,7 @@ TEST(RotateResult, holds_its_files_and_no_frames) {
   EXPECT_FALSE(std::filesystem::exists(c.path("out/frames")));
 }
 
-TEST(RotateResult, the_summary_holds_the_names_that_scripts_rely_on) {
+TEST(RotateResult, the_summary_contains_the_names_that_scripts_use) {
   const RotateFolder c;
   const Json s = summary_of(c);
   for (const char* key : {"schema",
@@ -75,7 +75,7 @@ TEST(RotateResult, the_summary_holds_the_names_that_scripts_rely_on) {
     EXPECT_GT(t[key].get<double>(), 0.0) << key;
 }
 
-TEST(RotateResult, a_free_body_keeps_its_momenta_to_the_bit) {
+TEST(RotateResult, a_free_body_conserves_its_momenta_bitwise) {
   const RotateFolder c = free_body();
   for (const char* order : {"2", "4", "6", "8"}) {
     const Json s = summary_of(c, {"--force", "--set", std::string("integrator.order=") + order,
@@ -130,7 +130,7 @@ TEST(RotateResult, a_history_ends_with_the_end) {
 }
 
 /// The case, the case again, and the resolved case from its new place.
-TEST(RotateResult, the_same_case_gives_the_same_bytes) {
+TEST(RotateResult, the_same_case_is_bitwise_identical) {
   const RotateFolder c;
   ASSERT_EQ(c.rotate({"--quiet"}, "first").exit_code, 0);
   ASSERT_EQ(c.rotate({"--quiet"}, "second").exit_code, 0);

@@ -29,15 +29,15 @@ void move_along(const SmallCase& c, const std::string& motion) {
   c.edit("case.toml", "rotary_speed = \"120 rpm\"\nrate_of_penetration = \"30 m/h\"\n", motion);
 }
 
-TEST(SameBytes, steady_from_a_conforming_start) { expect_same_bytes(SmallCase{}); }
+TEST(BitwiseIdentical, steady_from_a_conforming_start) { expect_same_bytes(SmallCase{}); }
 
-TEST(SameBytes, with_renumberings_on_the_way) {
+TEST(BitwiseIdentical, with_renumberings_on_the_way) {
   const SmallCase c;
   c.edit("case.toml", "\"40 ms\"", "\"40 ms\"\n[maintenance]\nrenumber_every = 6");
   expect_same_bytes(c);
 }
 
-TEST(SameBytes, until_the_first_renumbering) {
+TEST(BitwiseIdentical, until_the_first_renumbering) {
   const SmallCase c;
   for (const std::string every : {"20", "0"})
     ASSERT_EQ(c.run({"--set", "maintenance.renumber_every=" + every}, "every" + every).exit_code,
@@ -46,7 +46,7 @@ TEST(SameBytes, until_the_first_renumbering) {
     EXPECT_TRUE(read(c.path("every20") / file) == read(c.path("every0") / file)) << file;
 }
 
-TEST(SameBytes, whirl_from_a_flat_start) {
+TEST(BitwiseIdentical, whirl_from_a_flat_start) {
   const SmallCase c;
   c.edit("case.toml", "wall = \"20 mm\"", "shape = \"flat\"\nradius = \"60 mm\"");
   move_along(c, R"(kind = "whirl"
@@ -57,7 +57,7 @@ whirl = {radius = "1 mm", frequency = "90 rad/s", sense = "backward"}
   expect_same_bytes(c);
 }
 
-TEST(SameBytes, a_path_from_the_end_of_another_run) {
+TEST(BitwiseIdentical, a_path_from_the_end_of_another_run) {
   const SmallCase c;
   ASSERT_EQ(c.run({}, "before").exit_code, 0);
   c.edit("case.toml", "wall = \"20 mm\"",
@@ -73,7 +73,7 @@ TEST(SameBytes, a_path_from_the_end_of_another_run) {
 }
 
 /// The rock at the end of a run is bitwise identical to that at the start of the next.
-TEST(SameBytes, a_rock_read_back_is_the_rock_written) {
+TEST(BitwiseIdentical, a_rock_read_back_is_the_rock_written) {
   const SmallCase c;
   ASSERT_EQ(c.run({}, "before").exit_code, 0);
   c.edit("case.toml", "wall = \"20 mm\"",
@@ -89,7 +89,7 @@ rate_of_penetration = "-1 m/h"
 }
 
 /// The hash names what is read, not where it lies.
-TEST(SameBytes, the_hash_of_a_case_is_that_of_its_content) {
+TEST(BitwiseIdentical, the_hash_of_a_case_is_that_of_its_content) {
   const SmallCase c;
   ASSERT_EQ(c.run().exit_code, 0);
   const auto hash = [&](const std::string& folder) {

@@ -68,7 +68,7 @@ class Check(unittest.TestCase):
     def test_names_a_number_of_no_row(self):
         file = self.project.root / "reports/readme.json"
         file.write_text(json.dumps(json.loads(file.read_text(encoding="utf-8")) | {"gone": 1.0}), encoding="utf-8")
-        self.assert_named("reports/readme.json", "an orphan", "'gone'")
+        self.assert_named("reports/readme.json", "unused number", "'gone'")
 
     def test_names_a_figure_of_no_number_of_the_thesis(self):
         self.project.write("reports/manifest.toml", MANIFEST.replace('"5.2"', '"5.2, 5.9"'))

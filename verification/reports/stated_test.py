@@ -57,13 +57,13 @@ class Made(unittest.TestCase):
 
     def test_an_edited_number_is_named_with_its_line_and_written_anew(self):
         self.write(TEXT.replace("7 % of", "6 % of"))
-        self.assertRegex(self.problem(), r"studies/snail/README.md, line 7: found 6 in .*, the data say 7; run scripts/report --readme")
+        self.assertRegex(self.problem(), r"studies/snail/README.md, line 7: found 6 in .*, the data give 7; run scripts/report --readme")
         self.assertEqual(stated.write(self.root), [])
         self.assertEqual(self.readme.read_text(encoding="utf-8"), TEXT)
 
     def test_a_number_from_nowhere_is_named(self):
         self.write(TEXT + "\nIt weighs 12.5 g.\n")
-        self.assertIn("line 9: 12.5 comes from no file", self.problem())
+        self.assertIn("line 9: 12.5 has no source", self.problem())
 
     def test_a_study_without_stated_numbers_is_named(self):
         (self.study / "study.toml").unlink()

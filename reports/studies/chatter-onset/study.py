@@ -1,4 +1,4 @@
-"""The onset of axial chatter of bits on a chain, beside the roots of their delay equation.
+"""The onset of axial chatter of bits on a chain, compared with the roots of their delay equation.
 
 A flat bit with four equal blades on 500 m of pipe, and bit B on the string of cases/string-drill-bit-b.toml. A prescribed motion
 measures the response of the weight to a change of rate. The roots of bit, rod and response are compared with runs.
@@ -21,7 +21,7 @@ BIT_B = {"rate": 5.4e-3, "speed": 120, "mass": 38.5, "sections": [(2300.0, 0.127
 NONE = "".join(f'\n[forces.{kind}]\nlaw = "none"\n' for kind in ("cutter_body", "gage_pad", "bit_body"))
 LEVELS = [(4.0, 1.0), (2.8, 1.0), (2.0, 1.0), (2.0, 0.5), (1.4, 1.0), (1.0, 1.0)]  # edges in mm, steps in ms
 
-# What study.toml uses.
+# Functions that study.toml uses.
 
 
 def zero_between(rows, column):
@@ -43,7 +43,7 @@ def draw_response(axes, sections, style):
 
 
 def of_rock(t, change, settled, s):
-    """What the rock pushes back for a motion exp(s t) of the bit."""
+    """The force of the rock for a motion exp(s t) of the bit."""
     h = t[1] - t[0]
     early = t <= settled + 1e-9
     total = h * np.sum(change[early] * np.exp(-s * (t[early] - 0.5 * h)))
@@ -72,7 +72,7 @@ def root(f, frequency):
 
 
 def onset(dampings, growths):
-    """Where the line through the growths crosses zero, N s/m."""
+    """The damping at which the line through the growths crosses zero, N s/m."""
     slope, constant = np.polyfit(dampings, growths, 1)
     return -constant / slope
 
@@ -112,14 +112,14 @@ def run_of(m, bit, rock, motion, step, sections, more="", duration=None):
 
 
 def legs(speed, *parts):
-    """A prescribed motion of (seconds, rate) in turn."""
+    """A prescribed motion with a sequence of (seconds, rate)."""
     return 'kind = "legs"\n' + "".join(
         f'[[motion.legs]]\nduration = {d}\nrotary_speed = "{speed} rpm"\nvelocity = [0, 0, {v}]\n' for d, v in parts)
 
 
 def response(m, edge, step, sections):
-    """Seconds after a change of rate by a fifth, and the change of weight over it (N s/m); and the loads of a turn at the rate
-    before, whose rock stays in bottom.ply."""
+    """Seconds after a change of the rate by a fifth, the change of weight over that change (N s/m), and the loads of a turn at the
+    previous rate. The rock of that turn is stored in bottom.ply."""
     turn, rate, speed = FLAT["turn"], FLAT["rate"], FLAT["speed"]
     rock, change, after = f'edge_length = "{edge} mm"\nwall = "40 mm"\n', 0.2 * rate, 2.4 * turn
     steady, faster = (run_of(m, "four.toml", rock, legs(speed, (turn, rate), (after, v)), step, sections).history.weight_on_bit
@@ -144,9 +144,9 @@ def string(damping):
 
 
 def drilled(m, edge, step, sections, loads, damping):
-    """Growth of a run from the bottom that the prescribed motion left, its frequency, and the swing of its weight after two
+    """Growth and frequency of a run that starts on the bottom of the prescribed motion, and the swing of its weight after two
     seconds: the standard deviation over the mean."""
-    kick = 0.6  # of the weight, which the string carries too much at the start
+    kick = 0.6  # share of the weight that the string carries in excess at the start
     rock = f'shape = "file"\nfile = "bottom.ply"\nunit = "1 m"\nedge_length = "{edge} mm"\n'
     motion = (f'kind = "drilling"\nstart = [0, 0, {FLAT["rate"] * FLAT["turn"]}]\nrotary_speed = "{FLAT["speed"]} rpm"\n'
               f'rate_of_penetration = {FLAT["rate"]}\nweight_at_start = {(1 + kick) * loads[0]}\ntorque_at_start = {loads[1]}\n')
@@ -183,7 +183,7 @@ def flat_row(m, edge, step, sections):
 
 
 def mean_response(m, edge, bodies):
-    """Of bit B, whose weight is rough: the mean over four moments of the change and both signs."""
+    """The response of bit B, whose weight is noisy: the mean over four times of the change and both signs."""
     rate, rock = BIT_B["rate"], f'edge_length = "{edge} mm"\nwall = "40 mm"\n'
 
     def weight(before, after):
@@ -199,7 +199,7 @@ def mean_response(m, edge, bodies):
 
 
 def bit_b_rows(m, edge, bodies):
-    """Growths by the mean response, and of the shipped case with other dampings."""
+    """Growths computed from the mean response, and those of the shipped case with other dampings."""
     t, change = mean_response(m, edge, bodies)
     text = (ROOT / "cases/string-drill-bit-b.toml").read_text(encoding="utf-8") + bodies
     case = m.case(text.replace("bits/bit-b.toml", str(ROOT / "cases/bits/bit-b.toml")))
@@ -213,7 +213,7 @@ def bit_b_rows(m, edge, bodies):
 
 
 def limit_of_exact_rock():
-    """Of the flat bit on exact rock. The direction of cutting tilts as the bit goes down faster: eps times the area of every
+    """The response of the flat bit on exact rock. The direction of cutting tilts as the bit goes down faster: eps times the area of every
     cutter, 4 blades of depth d and width w at radius r, over the speed of the cutter around the axis. What is left of the response
     of steady drilling, which hardly depends on the edges, comes after a quarter turn."""
     widths = {6: 11.5, 17: 11.0, 28: 11.0, 39: 9.5, 47: 6.5, 52: 7.0}  # mm by radius in mm

@@ -1,4 +1,4 @@
-"""How fast the cones of bit R roll, by what they remember and by the time step."""
+"""Speeds of the cones of bit R over the memory of their contacts and the time step."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ CASE = "cases/bit-r-rolling.toml"
 
 
 def speeds_of(m, memory, step):
-    """Of cone 1 over the bit's, in each step of the second revolution; memory and step in ms."""
+    """Speeds of cone 1 over the bit's in each step of the second revolution; memory and step in ms."""
     history = m.run(CASE, {"motion.cone_memory": f"{memory} ms", "time.step": f"{step} ms", "time.revolutions": 2}).history
     turned, cone = history["rotation_angle"].values, history["cone_angle"].values[:, 0]
     return np.abs(np.diff(cone) / np.diff(turned))[turned[1:] > 2.0 * np.pi]

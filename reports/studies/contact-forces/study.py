@@ -15,7 +15,7 @@ from study_tools import ROOT
 EDGES = (1.6, 1.13, 0.8, 0.57, 0.4)  # mm
 STRESS = 100e6  # Pa: ratio 1 of the law, a rock of 100 MPa
 PRESS, SLIDE = 100.0, 100.0  # mm/s
-FROM = 0.06  # s, of the slide, until a part has left the place where it was pressed
+FROM = 0.06  # s after the start of the slide; by then a part has left the place where it was pressed
 CONTACT_CASE = """
 [bit]
 file = "part.toml"
@@ -50,7 +50,7 @@ history_every = 1
 
 
 def prism(outline, length):
-    """Of an outline (x, z) along y."""
+    """The corners of a prism with the outline (x, z) along y."""
     return np.array([(x, y, z) for y in (-length / 2, length / 2) for x, z in outline])
 
 
@@ -64,7 +64,7 @@ def turned(corners, degrees):
 
 
 def tilted(corners, degrees):
-    """Leans forward; the lowest corner comes back to z = 0."""
+    """The corners leaned forward, moved so that the lowest is at z = 0."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     corners = corners @ np.array([[c, 0, -s], [0, 1, 0], [s, 0, c]])
     return corners - [0, 0, corners[:, 2].max()]
@@ -154,7 +154,7 @@ def contact_row(m, name, edge):
 
 
 def orders_of(rows):
-    """Least squares over the levels, of each ratio's distance from 1; the share of the finest."""
+    """The order of each ratio's distance from 1 by least squares over the levels, and the ratio at the finest level."""
     edges = np.log([r["edges, mm"] for r in rows])
     found = {"contact": rows[0]["contact"]}
     for column in ("pressed weight", "weight", "drag"):
@@ -266,7 +266,7 @@ def cycle_of(m, fall, step):
 
 
 def integrated(fall):
-    """One rotational freedom with the same friction law, by an adaptive method: a cycle from breakaway to breakaway."""
+    """One rotational degree of freedom with the same friction law, by an adaptive method: a cycle from breakaway to breakaway."""
     from scipy.integrate import solve_ivp
     slide = 1e-3 * fall
 
@@ -290,7 +290,7 @@ def integrated(fall):
 
 
 def closed_form():
-    """Friction that falls at once, as the weakening speed goes to 0."""
+    """The closed form for friction that falls at once, the limit of a weakening speed of 0."""
     a = WEIGHT * ARM * MU * WEAKENING / STIFFNESS
     frequency = math.sqrt(STIFFNESS / INERTIA)
     stick, slip = 2 * a / SPEED, 2 / frequency * (math.pi - math.atan(a * frequency / SPEED))
@@ -298,7 +298,7 @@ def closed_form():
 
 
 def closed_speed(time, closed):
-    """Speed over mean of friction that falls at once, with breakaway at time 0, from the row of cycle.csv."""
+    """Speed over mean for friction that falls at once, with breakaway at time 0, from the row of cycle.csv."""
     slip, period, deviation = float(closed["slip, s"]), float(closed["period, s"]), float(closed["peak over mean"]) - 1.0
     time = np.where(time > 0.0, time % period, time)
     wave = 1.0 + deviation * np.cos(1.4561 * time - np.arccos(-1.0 / deviation))  # rad/s: sqrt(611.9/288.6)
@@ -318,7 +318,7 @@ def cycles(m):
 
 
 def written(rows):
-    """Results with four digits; what was set as it was set."""
+    """Results are written with four digits, settings unchanged."""
     form = {True: "g", False: ".4f"}
     return [{k: format(v, form[k.startswith(("edges", "step", "weakening"))]) if isinstance(v, float) else v for k, v in row.items()} for row in rows]
 

@@ -1,10 +1,10 @@
-"""The coupled run compared with its twins: what the tests of verification/simulation/coupled print."""
+"""The coupled run compared with its twins: the output of the tests of verification/simulation/coupled."""
 
 COLUMNS = ["situation", "quantity", "program", "uncertainty", "twin", "uncertainty of the twin", "difference"]
 
 
 def rows_of(lines):
-    """Each row below the name of the test that printed it."""
+    """The rows that the tests print, each with the name of its test."""
     test = ""
     for line in lines:
         if line.startswith("[ RUN      ]"):

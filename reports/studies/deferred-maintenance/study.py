@@ -1,4 +1,4 @@
-"""How many steps without a move maintenance should wait for (`maintenance.rest`): the standard workload, by long-run."""
+"""Effect of the number of steps without a move before maintenance (`maintenance.rest`): the standard workload, by long-run."""
 
 import re
 
@@ -10,7 +10,7 @@ CELL, REACH = 0.25e-3, 0.107  # m
 
 
 def drill(m, edges, rest):
-    """What long-run prints, and the heights of the surface that it leaves."""
+    """The output of long-run, and the heights of its final surface."""
     ply = m.temporary / "rock.ply"
     settings = (f"rock.edge_length='{edges} mm'", f"maintenance.rest={rest}", "time.revolutions=3")
     text = m.output("verification/long_run/long-run", ROOT / "cases/standard-workload.toml", "--rows", "1", "--save", ply,

@@ -36,7 +36,7 @@ l = 0
 
 
 def row(m, depth, edge):
-    """The weight, and what the body carries of it: the body moves no rock, so that the rest is the same without its force."""
+    """The weight, and the part that the body carries: the difference from a run without forces on the body, which moves no rock."""
     text = CASE.format(bit=ROOT / "cases/bits/bit-b.toml", edge=edge, strength=STRENGTH / 1e6, rate=1e-3 * depth * TURNS_PER_S)
     whole, alone = (m.run(m.case(text + more)).summary["wob_mean_n"] for more in ("", '[forces.bit_body]\nlaw = "none"\n'))
     return {"depth_of_cut_mm": depth, "edge_mm": edge, "body_weight_n": round(whole - alone, 3), "weight_n": round(whole, 3)}

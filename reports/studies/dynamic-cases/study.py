@@ -17,7 +17,7 @@ CASES = ["drill-bit-b", "drill-bit-b-whirl", "drill-bit-b-whirl-rock", "drill-bi
          "high-frequency-beds", "laboratory"]
 QUANTITIES = ["wob_mean", "tob_mean", "rop_mean", "rotary_speed_mean", "cone_speed_ratios", "torsional_frequency", "axial_frequency",
               "stick_slip_severity", "wob_swing", "orbit_radius", "orbit_frequency"]
-# What a run reads of a study: src/simulation/case/studied_convergence.hpp.
+# The fields of a study that a run reads (src/simulation/case).
 READ = ["wob_mean", "tob_mean", "rop_mean", "rotary_speed_mean", "stick_slip_severity", "torsional_frequency", "orbit_radius", "orbit_frequency"]
 SAMPLING = {"wob_mean": "wob_mean_n", "tob_mean": "tob_mean_n_m", "rop_mean": "rop_mean_m_per_s", "rotary_speed_mean": "rotary_speed_mean_rad_per_s"}
 STUDIES = {"step": ("time.step", 5, 2.0), "edge": ("rock.edge_length", 4, 2.0**0.5)}  # key, levels, factor
@@ -29,7 +29,7 @@ ALONE = {"output.energy_order": "off", "output.convergence": ""}
 HEADINGS = ["case", "quantity", "shipped", "by step", "order", "by edges", "order", "by sampling"]
 SHOWN = ["wob_mean", "tob_mean", "rop_mean", "rotary_speed_mean", "cone_speed_ratios", "torsional_frequency", "stick_slip_severity",
          "orbit_radius", "orbit_frequency"]
-# What is reported as a rate now is displacement over time.
+# Rates of the current program are displacements over time.
 COMPARED = ["case", "program", "weight, kN", "torque, N m", "rate, mm/s", "`rop_mean` then, mm/s", "rotary speed, rad/s"]
 THEN = [("wob_mean", 1e-3), ("tob_mean", 1.0), ("advance", 1e3), ("rop_mean", 1e3), ("rotary_speed_mean", 1.0)]
 NOW = [("wob_mean", 1e-3), ("tob_mean", 1.0), ("rop_mean", 1e3), ("none", 1.0), ("rotary_speed_mean", 1.0)]
@@ -42,7 +42,7 @@ and to the finest edges, per cent.
 
 
 def observed(row, which):
-    """The observed order; in brackets the slope of differences that have not settled on one."""
+    """The observed order, or in brackets the slope of differences that have not settled on an order."""
     if row[f"order_{which}"]:
         return f"{float(row[f'order_{which}']):.1f}"
     slope = row[f"slope_{which}"]
@@ -82,7 +82,7 @@ def tables():
 
 
 def draw_rates(axes, which):
-    """Rates of penetration over levels, over that of the finest. A bouncing bit advances by next to nothing and is left out."""
+    """Rates of penetration over levels, divided by that of the finest level. The bouncing bit hardly advances and is omitted."""
     from figures import style
     colours = (style.BLUE, style.RED, style.GREEN, style.PURPLE, style.GOLD, style.SKY, style.BLACK, style.GREY, "#7f5f3f")
     rows = [r for r in read_rows(HERE / "cases.csv") if r["quantity"] == "rop_mean" and r["case"] != "bit-bounce"]
@@ -91,7 +91,7 @@ def draw_rates(axes, which):
         axes.plot([1e3 * s for s in sizes], [v / values[-1] for v in values], "o-", color=colour, label=row["case"])
 
 
-# Measuring.
+# Measurement.
 
 
 def si(quantity):
@@ -103,7 +103,7 @@ def si(quantity):
 
 
 def converge(m, name, which):
-    """The study of one case over one key, from its coarsest level on, and the index of the shipped one."""
+    """The study of one case over one key, starting at its coarsest level, and the index of the shipped level."""
     key, levels, factor = STUDIES[which]
     section, entry = key.split(".")
     own = si(tomllib.loads((ROOT / f"cases/{name}.toml").read_text(encoding="utf-8"))[section][entry])
@@ -115,13 +115,13 @@ def converge(m, name, which):
 
 
 def values(result, quantity):
-    """One number a level: a mean over cones."""
+    """One number per level: the mean over cones."""
     found = [level["state"].get(quantity) for level in result["levels"]]
     return [sum(v) / len(v) for v in found] if all(found) else None
 
 
 def write_for_runs(name, results):
-    """cases/convergence/NAME.json: the studies of a case, without what its runs do not read."""
+    """cases/convergence/NAME.json: the studies of a case, with the fields that its runs read."""
     short = [{"keys": result["keys"],
               "levels": [{"sizes": level["sizes"], "state": {q: level["state"][q] for q in READ if q in level["state"]}} for level in result["levels"]],
               "variables": {q: {"uncertainty": {"value": result["variables"][q]["uncertainty"]["value"]}} for q in READ if q in result["variables"]}}
@@ -144,13 +144,13 @@ def rows_of(m, name):
             row[f"by_{which}"] = " ".join(f"{v:.6g}" for v in of_levels)
             row[f"order_{which}"] = variable["order"] if variable["order"] is not None else ""
             row[f"slope_{which}"] = variable["order_of_all"]
-            # The change to the finest level, and what is left there.
+            # The change to the finest level, and the uncertainty of that level.
             row[f"uncertainty_{which}"] = abs(of_levels[at] - of_levels[-1]) + variable["uncertainty"]["value"]
         row["uncertainty_sampling"] = sampling[SAMPLING[quantity]] if quantity in SAMPLING else ""
         yield row
 
 
 def measure(m):
-    """Parts for --only: the names of cases; rows of other cases are kept."""
+    """Parts for --only: names of cases. Rows of other cases are kept."""
     chosen = [name for name in CASES if m.includes(name)]
     m.replace("cases.csv", [r for name in chosen for r in rows_of(m, name)], "case", CASES)

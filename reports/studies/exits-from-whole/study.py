@@ -1,4 +1,4 @@
-"""Does rock that leaves a cutter at once (update.exit_from = "whole") differ from rock that leaves its parts in turn ("parts")?
+"""Compares runs in which rock leaves a whole cutter at once (update.exit_from = "whole") with runs in which it leaves one part after another ("parts").
 
 Every case is run three times: with both settings, and by parts with 0.7 times its edge length, for the mesh's own error. Where
 forces move the bit, a run with 1.000001 times the edge length shows what rounding does.
@@ -15,7 +15,7 @@ LARGE = 0.01  # of the removed volume: cutters with less are too noisy to compar
 
 
 class Compared:
-    """What is compared of a run."""
+    """The quantities of a run that are compared."""
 
     def __init__(self, m, case, factor, exit_from):
         edges = factor * {"bit-r-rolling": 2.5}.get(case, 1.0)  # mm
@@ -36,7 +36,7 @@ class Compared:
         return np.nansum(values[values.shape[0] // 2:], axis=0)
 
     def totals(self):
-        """{quantity: number}; those that a case does not have are left out."""
+        """{quantity: number}, without the quantities that a case does not have."""
         s, h = self.summary, self.history
         found = {"removed volume, cm3": 1e6 * s["removed_volume_m3"]}
         for name, key in [("contact area, mm2", "contact_area_total"), ("section area, mm2", "section_area_total")]:
@@ -52,7 +52,7 @@ class Compared:
 
 
 def greatest_change(a, b):
-    """The greatest relative change of those that are large."""
+    """The greatest relative change of the values that are large."""
     large = a > LARGE * a.sum()
     return float(np.max(abs(b[large] / a[large] - 1), initial=0.0))
 
@@ -72,7 +72,7 @@ def percent_of(x):
 
 
 def rows_of(case, parts, other, finer, name, change):
-    """`other` under the heading `name`, its change under `change`."""
+    """Rows with the value of `other` in the column `name`, and its change in the column `change`."""
     headings = ["case", "quantity", "parts", name, change, "change with 0.7 times the edges"]
     before, after, fine = parts.totals(), other.totals(), finer.totals()
     rows = [[case, q, f"{x:.6g}", f"{after[q]:.6g}", *("" if abs(x) < 1e-12 else percent_of(r[q] / x - 1) for r in (after, fine))]
@@ -86,7 +86,7 @@ def rows_of(case, parts, other, finer, name, change):
 
 
 def owners_of(case, parts, whole):
-    """Who owns the volume: shares of kinds of part, %."""
+    """Shares of the kinds of parts in the removed volume, %."""
     kinds = [str(k) for k in parts.history["part_kind"].values]
     for kind in dict.fromkeys(kinds):
         shares = []
@@ -98,7 +98,7 @@ def owners_of(case, parts, whole):
 
 
 def measure(m):
-    """Parts for --only: the names of cases, whose rows are replaced; rounding."""
+    """Parts for --only: names of cases, whose rows are replaced, and rounding."""
     differences, owners = [], []
     for case in filter(m.includes, CASES):
         parts, whole, finer = (Compared(m, case, f, x) for f, x in ((1.0, "parts"), (1.0, "whole"), (FINER, "parts")))

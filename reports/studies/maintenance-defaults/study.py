@@ -1,4 +1,4 @@
-"""What the defaults of [maintenance] are based on (thesis 4.2.4.3 and 4.2.4.4): every choice in four cases, by long-run.
+"""Comparison of the settings of [maintenance] (thesis 4.2.4.3 and 4.2.4.4) in four cases, by long-run.
 
 Prints one table for each case. choices.csv has what was kept of them.
 """

@@ -5,7 +5,7 @@ from study_tools import ROOT, read_text
 DRAWS = ("mutants", "fresh", "third", "fourth")
 KILLED = ("failed", "crashed", "timed out")
 SURVIVORS = ("function", "operator", "before", "after")
-# The programs whose kills count as the module's own, where it has others than verify_MODULE.
+# Test programs of a module other than verify_MODULE.
 PROGRAMS = {"dynamics": ("verify_dynamics", "verify_drilling"), "calibration": ("verify_calibration", "verify_calibrate"),
             "app": ("verify_app", "verify_calibrate")}
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 from study_tools import ROOT, read_rows
 
-EDGES = (2.0, 1.4, 1.0, 0.7, 0.5)  # mm; the step is as many ms
+EDGES = (2.0, 1.4, 1.0, 0.7, 0.5)  # mm; the step has the same value in ms
 ADVANCES = (1.0, 2.08, 3.0)  # mm a revolution
 FORMER_LEAD = 1.2
 RADIUS, EPS = 0.10795, 100e6  # m, Pa

@@ -1,4 +1,4 @@
-"""A bit that whirls in the rock that it cuts, beside one on a ring of fixed radius, over edges and time steps."""
+"""A bit that whirls in the rock that it cuts, compared with a bit on a ring of fixed radius, over edges and time steps."""
 
 import re
 
@@ -29,7 +29,7 @@ def lobes(radii):
 
 
 def case_of(m, wall):
-    """The case, or the same bit, string and rock with the rock's wall out of reach and a ring instead."""
+    """The case; or the same bit, string and rock with a ring instead of the wall of the rock, which is moved out of reach."""
     if wall == "rock":
         return CASE
     text = re.sub(r'\[wall\]\nmodel = "rock"\nfriction = 1.0\n', RING, CASE.read_text(encoding="utf-8"))
@@ -37,7 +37,7 @@ def case_of(m, wall):
 
 
 def section(ply, height):
-    """Radius of the hole at this height, m, for each sector, about its middle: the farthest vertex within 2 mm."""
+    """Radius of the hole at a height, m, in each sector about the centre of the hole: the farthest vertex within 2 mm."""
     points = np.asarray(read_ply(ply)[0])
     near = points[np.abs(points[:, 2] - height) < 2e-3]
     sectors = ((np.arctan2(near[:, 1], near[:, 0]) / (2 * np.pi)) % 1 * SECTORS).astype(int)

@@ -41,7 +41,7 @@ def sections_of_case():
 
 
 def modes_of(m):
-    """Axial frequencies of the string with its bit free, Hz."""
+    """Axial frequencies of the string with a free bit, Hz."""
     text = "\n".join("[[string.sections]]\n" + "\n".join(f"{k} = {json.dumps(v)}" for k, v in s.items()) for s in sections_of_case())
     run = m.run(m.case(STRING.format(mass=BIT_MASS, inertia=BIT_INERTIA, sections=text)), command="string")
     return [{"mode": k, "axial_hz": round(f, 5)} for k, f in enumerate(run.summary["axial_frequencies_hz"], 1)]
@@ -67,7 +67,7 @@ def end_stiffness(frequency):
 
 
 def row(m, rpm, edge, rock):
-    """Swings at one speed; rock: boundary, as the case has it, or even."""
+    """Oscillations at one speed. `rock`: "boundary" (that of the case) or "even" (homogeneous)."""
     settings = {"motion.rotary_speed": f"{rpm} rpm", "rock.edge_length": f"{edge} mm", "time.duration": f"{DURATION} s"}
     data = m.run(CASE, settings, words=EVEN if rock == "even" else []).history
     late = data["time"].values >= SETTLED

@@ -1,4 +1,4 @@
-"""Noise of sections and of volumes, as tests print it."""
+"""Noise of sections and of volumes, from the output of tests."""
 
 from study_runs import found, found_all
 

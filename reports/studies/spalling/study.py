@@ -1,4 +1,4 @@
-"""What rock that breaks out changes: single grooves, neighbouring grooves, a turning bit, the comparisons of validation/."""
+"""Effects of rock that breaks out: single grooves, neighbouring grooves, a rotating bit, the comparisons of validation/."""
 
 import sys
 from pathlib import Path
@@ -75,7 +75,7 @@ def draw_errors(axes):
         axes.plot(rows["edge, mm"], [abs(e) for e in rows["error"]], marker=marker, label=label)
 
 
-# Measuring.
+# Measurement.
 
 GROOVES = ((0, 0.0, 0.0), (60, 1.0, 0.0), (70, 1.0, 0.0), (70, 0.5, 0.0), (70, 1.0, 0.5))  # angle, depth share, ahead share
 LEVELS = ((2.0, 2.0), (1.4, 2.0), (1.0, 2.0), (0.7, 2.0), (0.5, 2.0), (1.0, 8.0), (1.0, 4.0), (1.0, 1.0), (1.0, 0.5))  # edge, step
@@ -89,7 +89,7 @@ def spalling(angle, share=1.0, ahead=0.0):
 
 
 def measured_groove(m, settings, words, start):
-    """Area that leaves (slope of the volume over the way) and section across the path, m2; drag, N; in the middle of a groove."""
+    """Removed area (slope of the volume over the distance) and section across the path, m2, and drag, N, in the middle of a groove."""
     run = m.run(HERE / "groove.toml", settings, words=words)
     assert run.summary["volume_ledger_defect"] <= 1e-12
     h = {name: run.history[name].values for name in ("time", "position_y", "removed_volume_total", "section_area_total", "force_y")}

@@ -59,7 +59,7 @@ torque_at_start = "{torque}"
 step = "1 ms"
 duration = "{duration} s"
 """
-# column, words, colours, limits
+# column, label, colour map, limits
 SHOWN = (("severity", "stick-slip severity", "magma_r", (0.0, 1.6)), ("weight_swing", "swing of weight", "viridis_r", (0.0, 0.6)),
          ("rate_mm_s", "rate (mm/s)", "cividis", (0.0, None)))
 
@@ -105,7 +105,7 @@ def figure():
     return drawing
 
 
-# Measuring.
+# Measurement.
 
 
 def lines(table):
@@ -125,7 +125,7 @@ def prescribed(m, depth, rpm):
 
 
 def sweep(m, threads=2):
-    """The map of the 3-D bit, from the shipped design. A sweep in the folder of --results continues."""
+    """The map of the 3-D bit, from the shipped design. A sweep in the folder of --results is resumed."""
     import xarray
     table = (m.results or m.temporary) / "map.nc"
     table.parent.mkdir(parents=True, exist_ok=True)
@@ -138,8 +138,8 @@ def sweep(m, threads=2):
 
 
 def simple_row(m, forces, weight, rpm):
-    """The bit without a shape at one point; measured as the diagnosis of a run measures. Its weight is w0 + k d and its torque t0 + t d
-    over the depth of cut d of all blades: N, N/m, N m, N."""
+    """The bit without a shape at one point, measured like the diagnosis of a run. Its weight is w0 + k d and its torque t0 + t d, where
+    d is the depth of cut of all blades. Units: N, N/m, N m, N."""
     middle = [r for r in forces if r["rpm"] == SPEEDS[1]]
     (k, w0), (t, t0) = (np.polyfit([1e-3 * r["depth_mm"] for r in middle], [r[key] for r in middle], 1) for key in ("weight_n", "torque_n_m"))
     design, string = read_case(DESIGN), read_case(CASE)["string"]

@@ -1,4 +1,4 @@
-"""How a bit stands: the shipped stick-slip, and the same bit not turned, at several edges and steps.
+"""A bit at rest: the shipped stick-slip, and the same bit without rotation, at several edges and steps.
 
 The files -before.csv were measured 2026-11-23 with a program whose impulses were explicit in every step.
 """
@@ -6,8 +6,8 @@ The files -before.csv were measured 2026-11-23 with a program whose impulses wer
 import numpy as np
 
 LEVELS = [(edges, step) for edges in (3.0, 2.0) for step in (3.0, 2.0, 1.0, 0.5)]  # mm, ms
-STICK, QUIET = 0.5, 0.04  # rad/s, s: the bit is stuck where it turns slower for so long on both sides
-FALLEN = 1.0  # s: by then faces and bodies bear a bit that is not turned
+STICK, QUIET = 0.5, 0.04  # rad/s, s: the bit is stuck at times at which it turns slower for this time on both sides
+FALLEN = 1.0  # s: by then faces and bodies carry a bit that is not turned
 PLUNGE = {"time.duration": "3 s", "motion.rotary_speed": "0 rpm", "motion.torque_at_start": 0}
 
 
@@ -17,7 +17,7 @@ def drill(m, settings):
 
 
 def stuck_steps(history, step):
-    """Steps at which the bit is stuck, and was one step before."""
+    """Steps at which the bit is stuck and was stuck one step before."""
     moves = np.abs(history.rotary_speed.values) >= STICK
     reach = round(QUIET / step)
     near = np.convolve(moves, np.ones(2 * reach + 1), "same") > 0
@@ -25,7 +25,7 @@ def stuck_steps(history, step):
 
 
 def row(m, settings, edges, step):
-    """Of the steps in which the bit is stuck, or, of a bit that is not turned, after its fall."""
+    """Values over the steps in which the bit is stuck, or for a bit that is not turned over the steps after its fall."""
     run = drill(m, {**settings, "rock.edge_length": f"{edges} mm", "time.step": f"{step} ms"})
     h, turns = run.history, settings is not PLUNGE
     chosen = stuck_steps(h, 1e-3 * step) if turns else h.time.values[1:] > FALLEN

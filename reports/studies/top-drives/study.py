@@ -21,13 +21,13 @@ SPEED, DURATION = 75, 40.0  # rpm, s
 # top, rpm, step in ms, edges in mm, duration in s; the second speed is run with coarse edges, the last three for convergence
 PLAN = [(top, rpm, 1.0, edge, DURATION) for rpm, edge in ((SPEED, 2.0), (60, 4.0)) for top in TOPS] + \
     [("stiff", SPEED, step, edge, 28.0) for step, edge in ((1.0, 4.0), (0.5, 4.0), (1.0, 2.8))]
-SETTLED = 15.0  # s: what is before is the transient of the start
+SETTLED = 15.0  # s: the transient of the start ends before
 MUD = (0.1, 0.0)  # 1/s: of the runs, and none
 BIT = (38.49, 0.13518)  # kg, kg m2: bit B
 RANGES = (0.2, 1.0, 2.0, 4.0, 8.0, 12.0, 16.0, 21.0)  # rad/s
 ROW = 0.05  # s between rows of traces.csv
 
-# What study.toml uses.
+# Functions that study.toml uses.
 
 SHEAR_OF_STRING, FIRST = 79.3e9, 0.2340  # Pa; Hz: first torsional vibration of the string
 SECTIONS = ((2300.0, 0.127, 0.1086), (200.0, 0.1651, 0.0714))  # m: length, diameters
@@ -47,7 +47,7 @@ def mark_stick_slip(axes, frequency):
     axes.annotate("stick-slip under\nthe stiff top", (frequency, 0.45), xytext=(4, 0), textcoords="offset points", color=style.GREY, fontsize=8)
 
 
-# Measuring.
+# Measurement.
 
 
 def late(history, *names):
@@ -56,7 +56,7 @@ def late(history, *names):
 
 
 def period(time, speed):
-    """Mean time between rises from below 0.7 to above 1.3 times the mean speed. Blank where there are less than two."""
+    """Mean time between rises from below 0.7 to above 1.3 times the mean speed. Blank if there are less than two."""
     low, rises = False, []
     for t, share in zip(time, speed / speed.mean()):
         if low and share > 1.3:
@@ -66,7 +66,7 @@ def period(time, speed):
 
 
 def row(history, top, rpm, step, edge):
-    """What the settled part of a run shows."""
+    """Values of a run after its transient."""
     time, speed, surface, torque, weight = late(history, "time", "rotary_speed", "surface_torque", "torque_on_bit", "weight_on_bit")
     mean = speed.mean()
     stuck = speed < 0.05 * mean
@@ -81,7 +81,7 @@ def row(history, top, rpm, step, edge):
 
 
 def torque_over_speed(history):
-    """Mean torque on the bit in ranges of its speed, apart for rising and falling speed."""
+    """Mean torque on the bit in ranges of its speed, separately for rising and falling speed."""
     speed, torque = late(history, "rotary_speed", "torque_on_bit")
     rises = np.gradient(speed) > 0.0
     for low, high in zip(RANGES, RANGES[1:]):
@@ -109,7 +109,7 @@ def simple(m, levels, mud):
 
 
 def reflection_of(kind, frequency):
-    """Of waves of speed in the pipe at the top: (Z - Zt)/(Z + Zt), magnitude."""
+    """Magnitude of the reflection (Z - Zt)/(Z + Zt) at the top of waves in the pipe."""
     z = math.pi / 32.0 * (OUTER**4 - INNER**4) * math.sqrt(SHEAR * DENSITY)
     s = 2j * math.pi * frequency
     if kind == "stiff":

@@ -4,7 +4,7 @@ from study_runs import found
 from study_tools import ROOT
 
 COARSE_STEPS = {"motion.rate_of_penetration": "'60 m/h'", "time.step": "'5 ms'", "time.revolutions": "4"}
-# the row of pairs.csv, the case, its settings, how often its surface is looked at
+# the row of pairs.csv, the case, its settings, the number of checks of its surface
 CASES = [
     ("`bit-b-continues`, 20 rows", "bit-b-continues", {}, 20),
     ("`bit-b-sideways`, 10 rows", "bit-b-sideways", {}, 10),
@@ -16,13 +16,13 @@ CASES = [
      {"motion.rate_of_penetration": "'20 m/h'", "rock.edge_length": "'2.5 mm'", "time.revolutions": "50"}, 10),
 ]
 HEADINGS = ["pairs at most", "pairs at the end", "worst triangle", "disturbed at most", "untanglings", "us a touched triangle at most"]
-# `bit-c-steady` at 60 m/h over edge lengths, mm, and steps, ms: the bit leaves a core of 1 mm in radius
+# `bit-c-steady` at 60 m/h over edge lengths, mm, and steps, ms. The bit leaves a core with a radius of 1 mm.
 CORE_EDGES, CORE_STEPS = [1.6, 1.8, 2, 2.2, 2.5], [2.5, 4, 5, 6.25]
 
 
 def figures(m, case, settings, rows):
-    """Of all rows of long-run: steps, depth, triangles, pairs, worst, 1 %, disturbed, change, us a step, ns a triangle, broken.
-    Its exit code 1 says that a promise is broken, as pairs do."""
+    """All rows that long-run prints: steps, depth, triangles, pairs, worst, 1 %, disturbed, change, us a step, ns a triangle, broken.
+    Exit code 1 means that a promise is broken, which includes pairs."""
     words = [w for key, value in settings.items() for w in ("--set", f"{key}={value}")]
     text = m.output("verification/long_run/long-run", ROOT / f"cases/{case}.toml", *words, "--rows", str(rows), codes=(0, 1))
     lines = text.splitlines()[2:]
@@ -34,7 +34,7 @@ def figures(m, case, settings, rows):
 
 
 def core_row(m, edges):
-    """The most pairs in twenty looks, and those at the end, for every step."""
+    """The largest number of pairs in twenty checks, and the number at the end, for every step."""
     row = {"edges, mm": f"{edges:g}"}
     for step in CORE_STEPS:
         settings = {**COARSE_STEPS, "time.step": f"'{step:g} ms'", "rock.edge_length": f"'{edges:g} mm'"}

@@ -1,4 +1,4 @@
-"""What each rule for the update direction does, as tables. Figures 4.7 to 4.9 of the thesis compare the rules (eq. 4.2) for PDC bits;
+"""Results of each rule for the update direction, as tables. Figures 4.7 to 4.9 of the thesis compare the rules (eq. 4.2) for PDC bits;
 `gage_teeth` is their counterpart for roller cone bits.
 
 What folds depends on the time step, and on what heals: with inside cutters along -X bit B has intersecting pairs after a third of a
@@ -23,7 +23,7 @@ BITS = {
 
 
 def row(m, bit, rule):
-    """A run that fails has a surface and a reason, but no summary."""
+    """A run that fails has a surface and an error message, but no summary."""
     from study_runs import read_run
     case, key, _, settings, turns = BITS[bit]
     out = m.temporary / "rule"

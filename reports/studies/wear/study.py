@@ -1,4 +1,4 @@
-"""Wear of bit B: convergence in mesh and steps, half-planes as a second way, Glowka's model, and layouts that wear evenly."""
+"""Wear of bit B: convergence in mesh and steps, comparison with half-planes and with Glowka's model, and layouts that wear evenly."""
 
 import csv
 import math
@@ -18,10 +18,10 @@ WEAR_STEPS = [512, 256, 128, 64, 32, 8]  # time steps between two wear steps; th
 START_FLAT, STRESS, GAGE = "0.100", 100e6, 23  # mm; Pa; the cutters before these are not at the gage
 ROCKS = {"medium": (100e6, 60e6), "hard": (200e6, 120e6)}  # Pa: specific energy, stress under a flat
 RATE = 15.0  # m/h
-FRESH_WEIGHT, FRESH_TORQUE = {"medium": 16e3, "hard": 32e3}, {"medium": 1250, "hard": 2500}  # N, N m: about what that takes
+FRESH_WEIGHT, FRESH_TORQUE = {"medium": 16e3, "hard": 32e3}, {"medium": 1250, "hard": 2500}  # N, N m: approximate loads at RATE
 METRES = range(0, 101, 10)
 
-# The figure, and what study.toml uses.
+# The figure, and functions that study.toml uses.
 
 
 def at(rows, column, metres):
@@ -58,7 +58,7 @@ def draw_flats(axes):
 
 
 class Cutters:
-    """Of the rows of a cutter table with flats (wear_mm)."""
+    """The cutters of the rows of a cutter table with flats (wear_mm)."""
 
     def __init__(self, rows, samples=8001):
         def column(name):
@@ -77,12 +77,12 @@ class Cutters:
         return self.place[i] + self.across[i] * cosine + into * sine, self.depth[i] - self.across[i] * sine + into * cosine
 
     def section(self, i):
-        """m2, of the cutter at its flat, along the axis."""
+        """Section of the cutter at its flat, along the axis, m2."""
         a, y = self.radius[i], self.worn[i]
         return a * a * np.arccos(1 - y / a) - (a - y) * np.sqrt(2 * a * y - y * y)
 
     def volume(self, i):
-        """m3, that the cylinder has lost: cot b times the integral of the section."""
+        """Volume that the cylinder has lost, m3: cot b times the integral of the section."""
         a, y = self.radius[i], self.worn[i]
         s = np.sqrt(2 * a * y - y * y)
         return (a * a * (s - (a - y) * np.arccos(1 - y / a)) - s**3 / 3) / np.tan(self.rake[i])
@@ -102,7 +102,7 @@ def deepest(r, z, columns):
 
 
 def worn_volumes(rows, run, azimuths=128, column=1e-5):
-    """m3, by cutter. `run`: advance (m per turn), speed (rad/s), turns, first (turns without wear), rate (m3/(N m), times the
+    """Worn volume of each cutter, m3. `run`: advance (m per turn), speed (rad/s), turns, first (turns without wear), rate (m3/(N m), times the
     acceleration), stress (Pa)."""
     c = Cutters(rows)
     start = [c.volume(i) for i in range(len(rows))]
@@ -137,7 +137,7 @@ def wear(m, case, settings):
 
 
 def volume(found, cutters=None):
-    """mm3, of the first cutters, or all."""
+    """Worn volume of the first cutters or of all, mm3."""
     return 1e9 * sum(cutter["worn_volume_m3"] for cutter in found["cutters"][:cutters])
 
 
@@ -149,7 +149,7 @@ def rows_of_convergence(m):
 
 
 def rows_of_wear_steps(m):
-    """Ten turns after two that do not wear, so that the cuts are steady: what begins with the wear is smooth."""
+    """Ten turns after two turns without wear, so that wear begins in steady cuts."""
     found = []
     for every in WEAR_STEPS:
         w = wear(m, CASE, {**SHIPPED, "wear.from": "1 s", "wear.every_steps": every, "wear.largest_growth": 0.1, "time.revolutions": 12})
@@ -171,7 +171,7 @@ def write_flat_bit(m):
 
 
 def rows_of_flats(m):
-    """Cutters that wear at their flats alone, beside the half-planes."""
+    """Cutters that wear at their flats alone, compared with the half-planes."""
     rows = write_flat_bit(m)
     case = m.case(CASE.read_text(encoding="utf-8").replace("bits/bit-b.toml", "bit.toml") + '\n[wear.areas.faces]\nkind = "face"\nlaw = "none"\n')
     steady = {"advance": 15 / 3600 / 2, "speed": 4 * np.pi, "turns": 9, "first": 1, "rate": 6000 * 1e-5 / 50e9, "stress": STRESS}
@@ -194,7 +194,7 @@ def cases_of(m):
 
 
 def modelled(m, rock, metres):
-    """Of Glowka's model after so many metres: {(cutter, quantity): value}; ("bit", "weight"): of the sharp bit."""
+    """Results of Glowka's model after a number of metres: {(cutter, quantity): value}. ("bit", "weight") is the weight of the sharp bit."""
     energy, stress = ROCKS[rock]
     text = (HERE / "glowka.toml").read_text(encoding="utf-8").replace("../../../cases/bits/bit-b.toml", str(m.temporary / "bit.toml"))
     text = text.replace('eps = "100 MPa"', f"eps = {energy}").replace('flat_stress = "60 MPa"', f"flat_stress = {stress}")
@@ -216,7 +216,7 @@ def metre_row(rock, source, metres, weight, rate):
 
 
 def metre_rows(rock, runs, table, of_model):
-    """The model: its flats bear as a whole, and what its sharp cutters bear is proportional to the rate."""
+    """The model: flats carry load with their whole area, and the load of sharp cutters is proportional to the rate."""
     stress, load = ROCKS[rock][1], FRESH_WEIGHT[rock]
     for distance, glowka in zip(METRES, of_model, strict=True):
         flats = sum(stress * glowka[f"cutter-{c['cutter']}", "wear_flat"] * math.cos(math.radians(float(c["profile_angle_deg"]))) for c in table)

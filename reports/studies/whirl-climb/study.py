@@ -1,5 +1,5 @@
-"""How fast a whirling bit climbs, beside how fast a screw of its lean would: cases/drill-bit-b-whirl with strings that bend ever
-more easily, and its advance over the time step."""
+"""The speed at which a whirling bit climbs, compared with that of a screw with its lean: cases/drill-bit-b-whirl with strings of
+decreasing bending stiffness. Also its advance over the time step."""
 
 import numpy as np
 
@@ -45,7 +45,7 @@ def climb_of(history):
 
 
 def advance_of(history):
-    """m/s since FROM, from the place at its beginning and end."""
+    """Mean advance since FROM, m/s, from the first and the last position."""
     z, first = history.position_z.values, int(np.argmin(np.abs(history.time.values - FROM)))
     return (z[-1] - z[first]) / (history.time.values[-1] - history.time.values[first])
 

@@ -75,7 +75,7 @@ TEST(ReadDrilling, attaches_the_string_at_the_centre_of_mass_by_default) {
   EXPECT_EQ(c.drilling.system.string.attachment_B, Vec3(0.0, 0.0, 0.0));
 }
 
-TEST(ReadDrilling, gives_wall_and_mount_their_numbers) {
+TEST(ReadDrilling, sets_the_numbers_of_wall_and_mount) {
   const dynamics::DrillingSystem s = with(all_different).drilling.system;
   EXPECT_EQ(s.gravity, 9.5);
   EXPECT_EQ(s.wall.stiffness, 1e6);
@@ -187,7 +187,7 @@ TEST(ReadDrilling, refuses_a_start_that_the_string_cannot_carry) {
 }
 
 /// A wrong case may have senseless stiffnesses: only when all else is right is its step judged.
-TEST(ReadDrilling, asks_for_a_stable_step_when_all_else_is_right) {
+TEST(ReadDrilling, requires_a_stable_step_if_all_else_is_right) {
   const std::string stiff = "string.lateral_stiffness='1e10 N/m'",
                     wrong = "measure.section_every=4";
   EXPECT_NE(refusal({stiff}).find("expected a stable step"), std::string::npos);

@@ -22,7 +22,7 @@ const L& law(const Case& c, PartKind kind) {
   return std::get<L>(law_of(c.forces, kind));
 }
 
-TEST(ReadForces, gives_the_law_to_the_kinds_that_it_knows) {
+TEST(ReadForces, gives_the_law_to_the_kinds_that_it_accepts) {
   const Case c = shale({});
   EXPECT_EQ(law<forces::HansonHansen>(c, PartKind::face).A1, 1.0);
   EXPECT_EQ(law<forces::HansonHansen>(c, PartKind::chamfer).A5, 1.0);
@@ -54,7 +54,7 @@ TEST(ReadForces, lets_a_kind_have_its_own) {
 }
 
 /// The bit has no cone.
-TEST(ReadForces, warns_of_a_coefficient_in_vain_by_the_whole_name_of_its_key) {
+TEST(ReadForces, warns_of_a_coefficient_without_effect_by_the_full_name_of_its_key) {
   const Case c = shale({"forces.cone.law=friction", "forces.cone.mu=0.25",
                         "forces.cone.stress='20 MPa'", "forces.cone.cap=2"});
   ASSERT_EQ(c.warnings.size(), 1u);
@@ -62,7 +62,7 @@ TEST(ReadForces, warns_of_a_coefficient_in_vain_by_the_whole_name_of_its_key) {
 }
 
 /// What is usual is what the named coefficients have, not what the law has without them. Bit B has no cse.
-TEST(ReadForces, knows_what_is_usual_from_the_coefficients_that_are_named) {
+TEST(ReadForces, derives_defaults_from_the_given_coefficients) {
   const auto warned = [](const std::string& A7) {
     return shale({"forces.coefficients='hanson-hansen-sharp'", "forces.A7=" + A7}).warnings;
   };

@@ -27,7 +27,7 @@ void expect_named(const std::string& found, const std::string& message) {
   EXPECT_NE(found.find(message), std::string::npos) << found;
 }
 
-TEST(ReadMotion, gives_whirl_and_tilt_their_numbers) {
+TEST(ReadMotion, sets_the_numbers_of_whirl_and_tilt) {
   const Motion whirl =
       of("bit-b-steady", {"motion.kind=whirl", "motion.whirl={radius=0.001, frequency=20, ramp=3}"})
           .motion;
@@ -43,7 +43,7 @@ TEST(ReadMotion, gives_whirl_and_tilt_their_numbers) {
   EXPECT_EQ(tilt.ramp, 2.0);
 }
 
-TEST(ReadMotion, goes_along_its_legs) {
+TEST(ReadMotion, follows_its_legs) {
   const Case c = of("bit-b-steady",
                     {"motion={kind='legs', start=[0.1, 0.2, 0.3], legs=[{duration=2, velocity=[0, "
                      "0, 0.001], rotary_speed=1}, {duration=3, velocity=[0.002, 0, 0]}]}",
@@ -68,7 +68,7 @@ TEST(ReadMotion, refuses_legs_of_too_many_turns) {
                "legs: found none, expected one [[motion.legs]] or more");
 }
 
-TEST(ReadMotion, gives_the_top_what_moves_it) {
+TEST(ReadMotion, sets_the_motion_of_the_top) {
   const Motion loaded =
       of("drill-bit-b", {"motion.weight_on_bit=25000", "motion.expected_rate=0.004"}).motion;
   EXPECT_EQ(loaded.driven.top.axial, dynamics::AxialMode::load);

@@ -48,7 +48,7 @@ TEST(ReadCase, has_a_title_or_the_name_of_its_bit) {
   EXPECT_EQ(read_case(write_temporary("_resolved.toml", c.resolved), {}).title, c.title);
 }
 
-TEST(ReadCase, whirl_is_backward_and_grows_over_one_turn_unless_told) {
+TEST(ReadCase, whirl_is_backward_and_grows_over_one_turn_by_default) {
   const Case c = case_with(
       {"motion.kind=whirl", "motion.whirl.radius=1 mm", "motion.whirl.frequency=10 rad/s"});
   EXPECT_EQ(c.motion.whirl.sense, WhirlSense::backward);
@@ -85,14 +85,14 @@ TEST(ReadCase, the_hash_follows_every_value) {
   EXPECT_NE(case_with({"output.history_every=2"}).hash, hash);
 }
 
-TEST(ReadCase, knows_all_files_that_it_read) {
+TEST(ReadCase, lists_all_files_that_it_read) {
   const Case c = case_with({});
   ASSERT_EQ(c.files.size(), 4u);  // the case, the bit, and the bit with its table
   EXPECT_EQ(c.files[0], c.path);
   EXPECT_NE(c.files.back().find("bit-b.csv"), std::string::npos);
 }
 
-TEST(ReadCase, gives_every_number_its_place) {
+TEST(ReadCase, stores_every_number_in_its_field) {
   const Case c = case_with(
       {"maintenance={every=2, rest=3, longest_wait=11, renumber_every=7, shortest_edge=0.3, "
        "longest_edge=1.9, worst_quality=0.11, flip_quality=0.22, smooth_quality=0.33}",
@@ -123,7 +123,7 @@ TEST(ReadCase, gives_every_number_its_place) {
 }
 
 /// Of what is left to run: two seconds, or one and a half.
-TEST(ReadCase, means_are_those_of_the_second_half_unless_told) {
+TEST(ReadCase, means_are_those_of_the_second_half_by_default) {
   EXPECT_DOUBLE_EQ(case_with({}).output.means_from, 1.0);
   EXPECT_DOUBLE_EQ(case_with({"time.first_step=500"}).output.means_from, 0.75);
 }
@@ -172,7 +172,7 @@ TEST(ReadCase, has_steps_that_fit) {
                  "run");
 }
 
-TEST(ReadCase, that_goes_on_has_no_cones_that_remember) {
+TEST(ReadCase, that_continues_has_no_memory_of_cones) {
   const std::string bit = TDBD_SOURCE_DIR "/cases/bits/bit-r.toml";
   const std::vector<std::string> rolling{"bit.file=" + bit, "motion.cone_speeds=rolling"};
   EXPECT_EQ(refusal(rolling), "");
@@ -181,7 +181,7 @@ TEST(ReadCase, that_goes_on_has_no_cones_that_remember) {
                  "of cones are not in any file");
 }
 
-TEST(ReadCase, tells_the_mistakes_of_a_bit_once) {
+TEST(ReadCase, reports_the_mistakes_of_a_bit_once) {
   const std::string bit = write_temporary(".bit.toml", "name = 1\n");
   const std::string found =
       refusal({"bit.file=" + bit, "forces={law='detournay', eps=3e7, zeta=0.6}",

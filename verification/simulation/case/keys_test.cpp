@@ -179,7 +179,7 @@ TEST(Keys, that_are_declared_can_be_read_and_given_with_their_defaults) {
           << table.command << " " << table.name << " " << row.name;
 }
 
-TEST(Keys, stand_once_in_their_table) {
+TEST(Keys, occur_once_in_their_table) {
   std::set<std::string> seen;
   for (const KeyTable& table : all_tables())
     for (const KeyRow& row : table.rows) {

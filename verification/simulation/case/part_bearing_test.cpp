@@ -81,7 +81,7 @@ TEST(PartBearing, of_a_ball_rises_like_that_of_a_designed_tooth) {
 }
 
 /// Pads push outwards at their own azimuth: a cylinder's segment in a flat wall.
-TEST(PartBearing, of_a_pad_that_looks_outwards_is_lateral) {
+TEST(PartBearing, of_a_pad_that_faces_outwards_is_lateral) {
   bit::Part pad = part_of(PartKind::gage_pad, battery::cylinder(0.02, 0.05, 720), Vec3::UnitX());
   pad.X_BP.p = Vec3(0.0, 0.1, 0.0);
   const PartBearing b =

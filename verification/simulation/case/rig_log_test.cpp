@@ -59,7 +59,7 @@ Case logged(const std::string& log) {
 }
 
 /// The whole run, rock and all.
-TEST(RigLog, that_says_what_a_schedule_says_gives_the_same_run_bitwise_identical) {
+TEST(RigLog, with_the_values_of_a_schedule_gives_a_bitwise_identical_run) {
   const std::string file = write_temporary(
       ".csv", "clock [s],speed [rad/s],block [m/s]\n5,12,0.005\n5.01,13,0.006\n5.03,11,0.004\n");
   const Case by_log =
@@ -157,7 +157,7 @@ TEST(RigLog, of_a_changing_hook_load_converges_in_the_step_with_order_2) {
 }
 
 /// The bit that drills hangs from the log's hook load; its first row is the start of the run.
-TEST(RigLog, of_a_hook_load_holds_a_bit_that_drills) {
+TEST(RigLog, of_a_hook_load_carries_a_bit_that_drills) {
   constexpr double rounding = 1e-12;
   const std::string file = write_temporary(".csv", "t [s],HL [kN]\n10,690\n10.004,698\n11,698\n");
   const Case c = drilling({"string.top.axial=hook-load",

@@ -144,7 +144,7 @@ std::vector<std::string> short_settings() {
 
 /// A study, written and read by runs of its levels, whose summaries contain the uncertainty of
 /// their means. The output of `tdbd converge` is read here in another way.
-TEST(NumericalUncertainty, stands_beside_the_means_of_a_run) {
+TEST(NumericalUncertainty, is_stored_with_the_means_of_a_run) {
   ConvergencePlan plan{short_case(), short_settings(), {"time.step"}, 3, 2.0, {}};
   const std::filesystem::path folder = test_folder();
   const Convergence c = converge(plan, {});

@@ -85,7 +85,7 @@ TEST(WearStart, is_when_the_flat_has_its_height) {
 }
 
 /// The second cutter has a flat as high as the first one at the start, and wears only when it cuts.
-TEST(WearStart, watches_the_cutters_of_its_pattern) {
+TEST(WearStart, depends_on_the_cutters_of_its_pattern) {
   EXPECT_EQ(start_of(two_cutters("cutter-2/*", 8e-3)), 0.0);
   EXPECT_GT(start_of(two_cutters("*", 8e-3)), from);
 }

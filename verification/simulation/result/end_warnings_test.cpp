@@ -33,14 +33,14 @@ TEST(EndWarnings, are_none_of_a_bit_that_drills) {
   EXPECT_EQ(texts(drilling({}), 0.005, 12.0, 1e-6), Texts{});
 }
 
-TEST(EndWarnings, tell_a_bit_that_removed_no_rock) {
+TEST(EndWarnings, report_a_bit_that_removed_no_rock) {
   EXPECT_EQ(texts(drilling({}), 8.0, 12.0, 0.0), Texts{"the bit removed no rock in 4 steps"});
   EXPECT_EQ(texts(drilling({"motion.start=[0,0,-2]"}), 0.0, 12.0, 0.0),
             Texts{"the bit removed no rock in 4 steps: it stays 1.72 m or more from it"});
 }
 
 /// Narrowest are the worn cutters of 19 mm.
-TEST(EndWarnings, tell_an_advance_that_only_a_body_could_cut) {
+TEST(EndWarnings, report_an_advance_that_only_a_body_could_cut) {
   EXPECT_EQ(texts(drilling({}), 7.4, 12.0, 1e-6),
             Texts{"the bit advances 7.4 m/s, 3.87e+03 mm in a revolution: more than the 18.4 mm of "
                   "its narrowest cutting part, so that its body would have to cut"});
@@ -72,7 +72,7 @@ Texts of_swings(double share, const std::string& section_at_face) {
   return found;
 }
 
-TEST(EndWarnings, tell_sections_ahead_of_the_faces_of_a_bit_that_sticks_and_slips) {
+TEST(EndWarnings, report_sections_ahead_of_the_faces_of_a_bit_that_sticks_and_slips) {
   EXPECT_EQ(
       of_swings(0.51, "as_ahead"),
       Texts{"the bit sticks and slips, severity 0.51, so that its depth of cut changes from "
@@ -81,7 +81,7 @@ TEST(EndWarnings, tell_sections_ahead_of_the_faces_of_a_bit_that_sticks_and_slip
   EXPECT_EQ(of_swings(0.51, "extrapolated"), Texts{});
 }
 
-TEST(EndWarnings, tell_an_advance_that_steps_do_not_resolve) {
+TEST(EndWarnings, report_an_advance_that_steps_do_not_resolve) {
   EXPECT_EQ(
       texts(drilling({}), 19.0, 12.0, 1e-6),
       Texts{"the bit advances 19 m/s, 19 mm in a step: more than the 18.4 mm of its narrowest "

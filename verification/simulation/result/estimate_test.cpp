@@ -67,7 +67,7 @@ TEST(RunEstimate, grows_with_triangles_and_frames) {
 }
 
 /// Bytes of a triangle in a frame, in an animation, in the final surface, in each of two checkpoints; of a number in a row.
-TEST(RunEstimate, adds_up_what_its_files_hold) {
+TEST(RunEstimate, adds_up_the_sizes_of_its_files) {
   for (const long frames_every : {0L, 7L})
     for (const long history_every : {1L, 5L}) {
       const Case c = case_with({"rock.edge_length=0.008",

@@ -114,7 +114,7 @@ TEST(History, xarray_finds_sections_by_cutter_and_contact_areas_by_part) {
   EXPECT_NE(head.find("contact_area_total [m2],section_area_total [m2]"), std::string::npos);
 }
 
-TEST(History, two_runs_give_the_same_bytes) {
+TEST(History, two_runs_are_bitwise_identical) {
   const fs::path a = write_history(folder("a"), 700);
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // a time stamp would differ
   const fs::path b = write_history(folder("b"), 700);

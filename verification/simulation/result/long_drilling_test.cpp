@@ -91,7 +91,7 @@ std::vector<std::array<double, 3>> boundary_of(const mesh::Surface& s) {
   return places;
 }
 
-TEST_F(TwentyRevolutions, leave_the_boundary_bit_for_bit) {  // M7
+TEST_F(TwentyRevolutions, leave_the_boundary_bitwise_identical) {  // M7
   EXPECT_EQ(boundary_of(surface()), boundary_of(*first_));
 }
 

@@ -19,7 +19,7 @@ Simulation drilled(const Case& c, int steps) {
 class Checkpoints : public ::testing::TestWithParam<RestartedCase> {};
 
 /// At steps of any kind: with and without maintenance before and after them.
-TEST_P(Checkpoints, go_on_to_the_bit) {
+TEST_P(Checkpoints, resume_bitwise_identically) {
   const Case c = restarted_case(GetParam());
   Random random{20261123};
   for (int k = 0; k < 3; ++k) {

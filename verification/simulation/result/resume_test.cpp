@@ -73,7 +73,7 @@ TEST_F(ResumeOne, takes_the_older_checkpoint_where_the_newest_is_torn) {
   expect_same_result_files(whole, folder);
 }
 
-TEST_F(ResumeOne, begins_anew_where_no_checkpoint_was_written) {
+TEST_F(ResumeOne, starts_from_scratch_without_a_checkpoint) {
   run(c, {.folder = whole});
   run_until(5, c, options(), false);
   fs::remove(folder / "checkpoint.bin");
@@ -100,7 +100,7 @@ TEST_F(ResumeOne, tidies_what_a_finished_run_left) {
 }
 
 /// As on a full disk, where a root's permissions would not bind: a folder stands where the file goes.
-TEST_F(ResumeOne, goes_on_from_the_last_checkpoint_that_could_be_written) {
+TEST_F(ResumeOne, continues_from_the_last_complete_checkpoint) {
   run(c, {.folder = whole});
   RunOptions o = options();
   std::atomic<bool> stop{false};
@@ -123,7 +123,7 @@ TEST_F(ResumeOne, goes_on_from_the_last_checkpoint_that_could_be_written) {
 }
 
 /// A start takes minutes in a large rock: another run would write to the same folder meanwhile.
-TEST_F(ResumeOne, holds_its_folder_before_the_start) {
+TEST_F(ResumeOne, locks_its_folder_before_the_start) {
   Case refused = c;
   refused.rock.edge_length = 1e-6;  // more rock than any memory holds: the start refuses it
   fs::create_directories(folder);
@@ -141,7 +141,7 @@ TEST_F(ResumeOne, holds_its_folder_before_the_start) {
 }
 
 /// Until it ends again, the folder is that of no finished run. What pictures it had may be gone.
-TEST_F(ResumeOne, forgets_the_end_that_it_had) {
+TEST_F(ResumeOne, removes_the_end_of_the_interrupted_run) {
   run_until(15, c, options(), false);
   const std::vector<fs::path> ends{folder / "summary.json", folder / "timing.json"};
   for (const fs::path& file : ends) EXPECT_TRUE(fs::exists(file));

@@ -31,7 +31,7 @@ RunSummary third() {
   return s;
 }
 
-TEST(Summary, every_number_reads_back_to_the_bit) {
+TEST(Summary, every_number_is_read_back_bitwise) {
   const Json json = Json::parse(to_json(third()));
   EXPECT_EQ(json["revolutions"].get<double>(), 1.0 / 3.0);
   EXPECT_EQ(json["removed_volume_m3"].get<double>(), 0.1 + 0.2);
@@ -39,7 +39,7 @@ TEST(Summary, every_number_reads_back_to_the_bit) {
   EXPECT_EQ(json["removed_volume_by_part_by_revolution_m3"]["cutter-1/face"][1], 0.2);
 }
 
-TEST(Summary, holds_the_names_that_scripts_rely_on) {
+TEST(Summary, contains_the_names_that_scripts_use) {
   const Json json = Json::parse(to_json(third()));
   for (const char* key : {"schema",
                           "status",
@@ -84,7 +84,7 @@ TEST(Summary, without_parts_the_volumes_are_an_empty_object) {
   EXPECT_TRUE(json["maintenance"].is_object());
 }
 
-TEST(Summary, timing_holds_what_depends_on_the_machine) {
+TEST(Summary, timing_contains_what_depends_on_the_machine) {
   const Json json = Json::parse(to_json(Timing{0.25, 10.0, peak_memory_bytes(), 2}));
   EXPECT_EQ(json["seconds_per_step_median"], 0.25);
   EXPECT_EQ(json["wall_seconds"], 10.0);

@@ -133,7 +133,7 @@ TEST(RotateCase, the_resolved_case_is_the_same_case) {
   EXPECT_EQ(again.start.momentum_W, first.start.momentum_W);
 }
 
-TEST(RotateCase, knows_its_quantities) {
+TEST(RotateCase, lists_its_quantities) {
   const RotateCase c = read(all_keys);
   EXPECT_EQ(c.quantities.at("time.step"), 0.1);
   EXPECT_EQ(c.quantities.at("cones[0].axial_inertia"), 0.1);
@@ -162,7 +162,7 @@ TEST(RotateCase, steps_fit_the_duration) {
 }
 
 /// For a cube of 40 m the message suggests 40 mm, unless the case confirms the size.
-TEST(RotateCase, asks_for_the_unit_of_a_mesh) {
+TEST(RotateCase, requires_the_unit_of_a_mesh) {
   mesh::write_mesh(tdbd::temporary_folder() + "rotate_case_cube.ply",
                    battery::box({-20, -20, -20}, {20, 20, 20}));
   const auto refusal = [](const std::string& more) -> std::string {
@@ -195,7 +195,7 @@ TEST(RotateCase, refuses_steps_that_are_longer_than_the_run_or_without_number) {
             std::string::npos);
 }
 
-TEST(RotateCase, is_told_from_a_run) {
+TEST(RotateCase, is_distinguished_from_a_run) {
   const std::string path = tdbd::temporary_folder() + "rotate_or_run.toml";
   std::ofstream(path) << "[bit]\nfile = \"x\"\n";
   EXPECT_FALSE(is_rotate_case(path));

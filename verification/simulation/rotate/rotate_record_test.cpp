@@ -66,7 +66,7 @@ void check_with_cones(int cones) {
   EXPECT_EQ(std::system(command.c_str()), 0) << cones << " cones";
 }
 
-TEST(RotateHistory, holds_what_belongs_together) {
+TEST(RotateHistory, has_consistent_columns) {
   for (const int cones : {0, 1, 3}) check_with_cones(cones);
 }
 
@@ -85,7 +85,7 @@ void expect_same(const RotateCase& c, const RotateSimulation& a, const RotateSim
 
 class RotateCheckpoints : public ::testing::TestWithParam<RotatedCase> {};
 
-TEST_P(RotateCheckpoints, go_on_to_the_bit) {
+TEST_P(RotateCheckpoints, resume_bitwise_identically) {
   const RotateCase c = rotated_case(GetParam());
   Random random{20261123};
   for (int k = 0; k < 5; ++k) {
@@ -207,7 +207,7 @@ void expect_near(const Json& found, double expected) {
   EXPECT_NEAR(found.get<double>(), expected, rounding);
 }
 
-TEST(RotateSummary, tells_the_attitude_and_the_momenta_of_the_end_in_their_frames) {
+TEST(RotateSummary, has_the_attitude_and_the_momenta_of_the_end_in_their_frames) {
   const RotationState& first = the_run().states.front();
   const RotationState& last = the_run().states.back();
   const Json j = summary();
@@ -224,7 +224,7 @@ TEST(RotateSummary, tells_the_attitude_and_the_momenta_of_the_end_in_their_frame
 }
 
 /// Pi = It W + sum_k pi_k s_k and pi_k = Ic_k (phi_k' + s_k . W).
-TEST(RotateSummary, tells_velocities_that_belong_to_the_momenta) {
+TEST(RotateSummary, has_velocities_that_belong_to_the_momenta) {
   const dynamics::Gyrostat& g = the_run().c.body;
   const Json j = summary();
   const Vec3 w_B = vector_of(j["angular_velocity"]);
@@ -237,7 +237,7 @@ TEST(RotateSummary, tells_velocities_that_belong_to_the_momenta) {
   EXPECT_LE((momentum_B - vector_of(j["body_momentum"])).norm(), rounding);
 }
 
-TEST(RotateSummary, tells_energies_and_their_changes_over_the_scale) {
+TEST(RotateSummary, has_energies_and_their_changes_over_the_scale) {
   const Course& r = the_run();
   const auto energy = [&](const RotationState& s) {
     return dynamics::kinetic_energy(r.c.body, s) + dynamics::potential_energy(r.c.loads, s);
@@ -255,7 +255,7 @@ TEST(RotateSummary, tells_energies_and_their_changes_over_the_scale) {
               }));
 }
 
-TEST(RotateSummary, tells_the_largest_changes_of_the_momenta) {
+TEST(RotateSummary, has_the_largest_changes_of_the_momenta) {
   const RotationState& first = the_run().states.front();
   const auto change = [&](const RotationState& s) { return Vec3(s.momentum_W - first.momentum_W); };
   const Json j = summary();
@@ -270,7 +270,7 @@ TEST(RotateSummary, tells_the_largest_changes_of_the_momenta) {
             largest([](const RotationState& s) { return std::abs(s.q_WB.squaredNorm() - 1.0); }));
 }
 
-TEST(RotateSummary, tells_the_steps_and_how_they_were_made) {
+TEST(RotateSummary, has_the_steps_and_their_integrator) {
   const Json j = summary();
   EXPECT_EQ(j["steps"], 200);
   EXPECT_EQ(j["step_s"], 0.02);

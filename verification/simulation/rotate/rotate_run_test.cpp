@@ -66,7 +66,7 @@ TEST_F(RotateResumeOne, takes_the_older_checkpoint_where_the_newest_is_torn) {
   expect_same_result_files(whole, folder);
 }
 
-TEST_F(RotateResumeOne, begins_anew_where_no_checkpoint_was_written) {
+TEST_F(RotateResumeOne, starts_from_scratch_without_a_checkpoint) {
   rotate(c, {.folder = whole});
   rotate_until(5, c, {.folder = folder}, false);
   fs::remove(folder / "checkpoint.bin");
@@ -75,7 +75,7 @@ TEST_F(RotateResumeOne, begins_anew_where_no_checkpoint_was_written) {
 }
 
 /// Until it ends again, the folder is that of no finished run.
-TEST_F(RotateResumeOne, forgets_the_end_that_it_had) {
+TEST_F(RotateResumeOne, removes_the_end_of_the_interrupted_run) {
   rotate_until(5, c, {.folder = folder}, false);
   const std::vector<fs::path> ends{folder / "summary.json", folder / "timing.json"};
   for (const fs::path& file : ends) EXPECT_TRUE(fs::exists(file));
@@ -137,7 +137,7 @@ TEST(RotateFailure, is_a_state_that_is_no_number) {
   EXPECT_TRUE(refused([](State& s) { s.q_WB.w() = NAN; }));
 }
 
-TEST_F(RotateResumeOne, is_named_where_the_other_command_is_asked) {
+TEST_F(RotateResumeOne, is_suggested_by_the_other_command) {
   rotate_until(5, c, {.folder = folder}, false);
   try {
     read_stopped_case(folder);

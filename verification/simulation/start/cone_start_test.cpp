@@ -30,7 +30,7 @@ bool is_free(const mesh::Surface& rock, const Vec3& x_B, double slack) {
 }
 
 /// However the cones stand, no tooth reaches farther into the rock than its edges cut corners.
-TEST(ConeStart, a_conforming_bottom_holds_no_tooth_at_any_angle) {
+TEST(ConeStart, a_conforming_bottom_contains_no_tooth_at_any_angle) {
   const Case c = conforming("step = \"2 ms\"\nduration = \"4 ms\"");
   const Simulation s = start(c);
   constexpr double slack = 0.5e-3;  // m: a sixth of an edge

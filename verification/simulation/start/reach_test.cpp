@@ -12,7 +12,7 @@ double gap(const std::vector<std::string>& settings) {
   return gap_along_path(c, start_rock(c).surface);
 }
 
-TEST(GapOnTheWay, is_nothing_of_a_bit_in_its_hole) { EXPECT_EQ(gap({}), 0.0); }
+TEST(GapOnTheWay, is_zero_for_a_bit_in_its_hole) { EXPECT_EQ(gap({}), 0.0); }
 
 /// The sphere around the bit's cutters has a radius between the gage radius and twice that.
 TEST(GapOnTheWay, is_the_distance_less_what_the_bit_may_reach) {
@@ -27,7 +27,7 @@ TEST(GapOnTheWay, is_the_distance_less_what_the_bit_may_reach) {
 }
 
 /// A bit that starts high up and comes down in time reaches the rock.
-TEST(GapOnTheWay, counts_the_whole_way) {
+TEST(GapOnTheWay, includes_the_whole_path) {
   const std::vector<std::string> high = {"motion.start=[0, 0, -1]"};
   EXPECT_GT(gap(high), 0.0);
   EXPECT_EQ(gap({high[0], "motion.rate_of_penetration=1 m/s"}), 0.0);

@@ -27,20 +27,20 @@ void expect_box(const mesh::Box& box, const Vec3& lo, const Vec3& hi) {
   EXPECT_LT((box.hi - hi).norm(), 1e-12);
 }
 
-TEST(Reach, is_the_way_of_the_bit_widened_by_it) {
+TEST(Reach, is_the_path_of_the_bit_widened_by_its_size) {
   expect_box(reach_W(drilling(2.0)), {-0.1, -0.1, 0.0}, {0.1, 0.1, 2.0});
   Case whirling = drilling(-3.0);
   whirling.motion.whirl.radius = 0.02;
   expect_box(reach_W(whirling), {-0.12, -0.12, -3.0}, {0.12, 0.12, 0.0});
 }
 
-TEST(Reach, of_a_run_that_goes_on_begins_where_it_does) {
+TEST(Reach, of_a_resumed_run_begins_where_it_resumes) {
   Case c = drilling(2.0);
   c.time.first = 500;
   expect_box(reach_W(c), {-0.1, -0.1, 1.0}, {0.1, 0.1, 2.0});
 }
 
-TEST(Reach, holds_every_row_of_a_path) {
+TEST(Reach, contains_every_row_of_a_path) {
   Case c = drilling(0.0);
   c.motion.kind = MotionKind::table;
   c.motion.path = {{0.0, Vec3::Zero(), Vec3::Zero()},
@@ -78,7 +78,7 @@ std::string refusal(const Case& c, double area, const mesh::Box& box_W) {
 }
 
 /// Up or down a kilometre: more cells and triangles than 32 bits count.
-TEST(RequireMemory, counts_the_rock_and_the_whole_way) {
+TEST(RequireMemory, counts_the_rock_and_the_whole_path) {
   mesh::Box small;
   small.add(Vec3::Zero());
   small.add(Vec3(0.01, 0.01, 0.01));

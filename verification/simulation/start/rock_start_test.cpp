@@ -45,7 +45,7 @@ TEST(RockOfAProfile, may_not_cross_itself) {
 }
 
 /// Before it is made: too much rock is refused by the size of what the meridian sweeps.
-TEST(RockOfAProfile, needs_room_for_all_around_its_axis) {
+TEST(RockOfAProfile, needs_space_all_around_its_axis) {
   const Case c = of_profile("[[0, 0.1], [1, 0.1], [1, -0.9]]", "1e-5");
   mesh::Box box = reach_W(c);
   box.add(Vec3(-1.0, -1.0, -0.9));

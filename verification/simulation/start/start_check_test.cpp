@@ -27,7 +27,7 @@ TEST(CoverAbove, is_nothing_where_there_is_no_surface_above) {
 }
 
 /// Below a ledge the open is what lies under its lower face, and rock what lies in it.
-TEST(CoverAbove, knows_a_ledge_from_the_open_below_it) {
+TEST(CoverAbove, distinguishes_a_ledge_from_the_space_below_it) {
   using rock::MeridianPoint;
   const mesh::Surface hollow = mesh::make_surface(rock::borehole(
       {{0.0, 0.1}, {0.1, 0.1}, {0.1, 0.08}, {0.05, 0.07}, {0.05, 0.05}, {0.1, 0.04}}, 0.005));

@@ -60,7 +60,7 @@ RC_GTEST_PROP(ConeMotion, a_motion_of_the_bit_reaches_each_tooth_through_its_con
 }
 
 /// Between any two poses, to rounding.
-RC_GTEST_PROP(ConeMotion, a_twist_takes_points_where_the_poses_do, ()) {
+RC_GTEST_PROP(ConeMotion, a_twist_moves_points_like_the_poses, ()) {
   const Vec3 turn = any_vector(0.1), x_B = any_vector(0.1), about = any_vector(2.0);
   const Pose X_WB0{rotation::exp(about), any_vector(1.0)},
       X_WB1{X_WB0.R * rotation::exp(turn), X_WB0.p + any_vector(0.05)};
@@ -218,7 +218,7 @@ double mean_ratio(const std::string& step) {
 
 /// Halving the step, the mean speed converges with order 2: contacts count where they were in the
 /// middle of their step.
-TEST(ConeMotion, the_mean_speed_does_not_hang_on_the_step) {
+TEST(ConeMotion, the_mean_speed_does_not_depend_on_the_step) {
   const double coarse = mean_ratio("0.01"), middle = mean_ratio("0.005"),
                fine = mean_ratio("0.0025");
   EXPECT_LT(std::abs(fine - middle), 9e-4);

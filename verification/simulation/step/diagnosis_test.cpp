@@ -161,7 +161,7 @@ TEST(Diagnosis, finds_axial_vibration_without_lost_contact) {
   EXPECT_NE(d.text.find("axial vibration, weight swings by 70 % at 12.5 Hz"), std::string::npos);
 }
 
-TEST(Diagnosis, tells_whirls_by_sense_and_frequency) {
+TEST(Diagnosis, distinguishes_whirls_by_sense_and_frequency) {
   const double turn = speed / two_pi;
   const struct {
     double frequency;
@@ -251,7 +251,7 @@ TEST(Diagnosis, names_what_is_beyond_its_thresholds) {
 }
 
 /// An orbit from a tenth of a millimetre, within a tenth of the bit's speed, or another.
-TEST(Diagnosis, tells_whirls_by_thresholds_of_radius_and_speed) {
+TEST(Diagnosis, distinguishes_whirls_by_thresholds_of_radius_and_speed) {
   const auto kind = [](double radius, double of_the_bits_speed) {
     Made m;
     m.centre = [=](double t) { return circle(radius, of_the_bits_speed * speed / two_pi, t); };

@@ -161,7 +161,7 @@ TEST(Directions, hybrid_drills_a_deep_hole_and_has_the_best_mesh) {
 }
 
 /// Without maintenance, "all-down" folds the surface; maintenance undoes most of these folds.
-TEST(Directions, hybrid_folds_least_where_nothing_heals) {
+TEST(Directions, hybrid_folds_least_without_repair) {
   const Outcome hybrid = deep_hole("hybrid", no_healing);
   EXPECT_LE(hybrid.folds, 3);
   EXPECT_GE(deep_hole("along-profile", no_healing).folds, hybrid.folds);
@@ -171,7 +171,7 @@ TEST(Directions, hybrid_folds_least_where_nothing_heals) {
 /// e of eq. 4.2 straight down, and the two signs of [1, 0, 0] between which our excerpt leaves the
 /// choice. +X pushes the cone's vertices out of the rock: more rock is added than removed. -X
 /// drills, but pushes them through the axis: the surface folds over, where nothing heals it.
-TEST(Directions, of_inside_cutters_only_down_holds) {
+TEST(Directions, of_inside_cutters_must_be_straight_down) {
   const Outcome down = first_third("down");
   EXPECT_EQ(down.stopped, "");
   EXPECT_EQ(down.pairs, 0u);

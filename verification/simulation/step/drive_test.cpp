@@ -68,7 +68,7 @@ TEST(Drive, moves_torques_to_the_centre_of_mass) {
 }
 
 /// Above flat rock nothing touches: no force, and the bit follows its top.
-TEST(Drive, feels_nothing_where_it_touches_nothing) {
+TEST(Drive, has_no_force_without_contact) {
   const Case c = drilling({"rock.shape=flat", "motion.start=['0 mm', '0 mm', '-20 mm']",
                            "motion.torque_at_start=0", "motion.weight_on_bit=0"});
   const Simulation s = drilled(c);
@@ -78,7 +78,7 @@ TEST(Drive, feels_nothing_where_it_touches_nothing) {
 }
 
 /// Eq. 2.2: rock that is free to move takes the momentum that the bit loses to it.
-TEST(Drive, gives_the_rock_what_the_bit_loses) {
+TEST(Drive, transfers_momentum_from_the_bit_to_the_rock) {
   const Case c = drilling({"rock_mount.mass='280 kg'", "string.gravity=0", "string.axial_damping=0",
                            "motion.weight_on_bit='0 N'", "string.axial_stiffness=0"});
   Simulation s = start(c);

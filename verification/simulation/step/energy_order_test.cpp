@@ -68,7 +68,7 @@ TEST(EnergyOrder, first_level_is_the_run_itself) {
   EXPECT_NEAR(found.residual.residuals[0], size, rounding * stored);  // J
 }
 
-TEST(EnergyOrder, is_not_told_of_a_bit_without_contact) {
+TEST(EnergyOrder, is_not_reported_for_a_bit_without_contact) {
   const Case c = drilling(
       {"rock.shape=flat", "motion.start=['0 mm', '0 mm', '-20 mm']", "motion.weight_on_bit=0"});
   const EnergyOrder found = observe_energy_order(c, after(c, 2));
@@ -112,7 +112,7 @@ std::filesystem::path run_with(const std::string& name, const char* setting, int
   return options.folder;
 }
 
-TEST(EnergyOrder, leaves_the_bytes_of_the_run_and_does_not_know_threads) {
+TEST(EnergyOrder, changes_no_bit_of_the_run_on_any_number_of_threads) {
   const auto with = run_with("with", "always", 1), without = run_with("without", "off", 1);
   const auto threads = run_with("threads", "always", 2);
   for (const char* file : {"history.csv", "history.nc", "frames/rock_final.vtp"})

@@ -51,7 +51,7 @@ TEST(FacePaths, are_those_of_the_step_while_faces_go_forward) {
 }
 
 /// As fast as the step's own path moves the tip, but along the way that the face last went.
-TEST(FacePaths, keep_the_last_way_of_faces_that_creep) {
+TEST(FacePaths, keep_the_last_path_of_faces_that_creep) {
   const bit::Bit& bit = shipped_bit();
   FacePaths paths;
   follow(bit, move_with(drilling), creep_of_all(bit), paths);
@@ -65,7 +65,7 @@ TEST(FacePaths, keep_the_last_way_of_faces_that_creep) {
   }
 }
 
-TEST(FacePaths, of_a_bit_that_never_went_are_around_its_axis) {
+TEST(FacePaths, of_a_bit_that_never_moved_are_around_its_axis) {
   const bit::Bit& bit = shipped_bit();
   FacePaths paths;
   follow(bit, move_with(dithering), creep_of_all(bit), paths);
@@ -76,7 +76,7 @@ TEST(FacePaths, of_a_bit_that_never_went_are_around_its_axis) {
 }
 
 /// A bit that is thrown backward or aside goes its own way, however it turns.
-TEST(FacePaths, are_those_of_the_step_when_faces_go_anywhere_fast) {
+TEST(FacePaths, are_those_of_the_step_when_faces_move_fast_in_any_direction) {
   const bit::Bit& bit = shipped_bit();
   FacePaths paths;
   follow(bit, move_with({Vec3::Zero(), -0.5 * Vec3::UnitZ()}), creep_of_all(bit), paths);

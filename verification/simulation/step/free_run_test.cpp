@@ -30,7 +30,7 @@ Case off_bottom(const std::string& bit, const std::string& tables,
 
 /// Its mean is 28.8, 30.1 and 31.9 kN where the damper pulls towards the expected rate
 /// (`rate_memory = 0`).
-TEST(FreeRun, carries_its_weight_whatever_rate_was_expected) {
+TEST(FreeRun, carries_its_weight_with_any_expected_rate) {
   constexpr double within = 4e-3;
   const auto weight = [](const std::string& rate, const std::string& memory) {
     return drilled(read_case(TDBD_SOURCE_DIR "/cases/drill-bit-b.toml",

@@ -245,7 +245,9 @@ void expect_elliptic_hole(const std::string& leaning, std::size_t most_pairs) {
 TEST(Tilt, a_leaning_bit_drills_an_elliptic_hole) { expect_elliptic_hole("upright", 0); }
 
 /// Maintenance leaves three intersecting pairs here: a fault that is known (src/rock/README.md).
-TEST(Tilt, so_it_does_with_directions_about_its_own_axis) { expect_elliptic_hole("bit", 3); }
+TEST(Tilt, with_directions_about_its_own_axis_drills_an_elliptic_hole) {
+  expect_elliptic_hole("bit", 3);
+}
 
 /// Up without turning, and down the same way.
 TEST(Reaming, a_bit_put_back_removes_nothing_more) {
@@ -328,7 +330,7 @@ double eighth_revolution(const std::string& shape) {
 
 /// Once the bit has drilled through the roughness, a revolution removes what it does from a flat
 /// start.
-TEST(RoughStart, is_forgotten) {
+TEST(RoughStart, has_no_lasting_effect) {
   const double rough = eighth_revolution(
       "shape = \"rough\"\namplitude = 0.002\ncorrelation_length = 0.01\nseed = 7");
   const double flat = eighth_revolution("shape = \"flat\"");

@@ -103,7 +103,7 @@ RC_GTEST_PROP(Loads, turn_with_the_problem, ()) {
 }
 
 /// A cut's area normal to the velocity, and its rake, from the face's plane.
-TEST(Loads, know_a_face_by_its_velocity) {
+TEST(Loads, use_the_section_of_a_face_that_moves_forward) {
   CutOfPart c;
   c.cut.kind = bit::PartKind::face;
   c.face_area = 2.0;
@@ -121,7 +121,7 @@ TEST(Loads, know_a_face_by_its_velocity) {
 
 /// Chamfer of 45 degrees and width w, seen along the profile's normal: w (cos b + sin b). The same
 /// from the rim's points in the cutter's frame.
-TEST(Loads, see_a_chamfer_along_the_normal) {
+TEST(Loads, of_a_chamfer_are_along_the_normal) {
   bit::Cutter c;
   c.diameter = 16e-3;
   c.tip_radius = 50e-3;

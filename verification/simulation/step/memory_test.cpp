@@ -8,7 +8,7 @@ namespace tdbd::simulation::memory_test {
 
 using battery::counted_memory;
 
-TEST(Memory, counts_what_is_held_and_the_most_of_it) {
+TEST(Memory, counts_allocated_bytes_and_their_maximum) {
   const long before = counted_memory().held;
   battery::reset_peak();
   { const std::vector<char> room(1'000'000); }
@@ -64,7 +64,7 @@ TEST(Memory, a_step_that_renumbers_the_rock_allocates_nothing_once_warm) {
   EXPECT_EQ(taken_by_a_step("bit-b-3000psi", {"maintenance.renumber_every=1"}), 0);
 }
 
-TEST(Memory, a_step_of_a_bit_that_stands_allocates_nothing_once_warm) {
+TEST(Memory, a_step_of_a_bit_at_rest_allocates_nothing_once_warm) {
   EXPECT_EQ(
       taken_by_a_step("stick-slip", {"motion.rotary_speed='0 rpm'", "motion.torque_at_start=0"}),
       0);

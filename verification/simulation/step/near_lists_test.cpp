@@ -58,7 +58,7 @@ void check_lists(const std::string& name, int steps) {
   EXPECT_GT(held, 20 * lists);
 }
 
-TEST(NearLists, hold_all_of_their_regions_after_any_steps_and_maintenance) {
+TEST(NearLists, contain_all_of_their_regions_after_any_steps_and_maintenance) {
   check_lists("standard-workload", 60);
   check_lists("drill-bit-b", 60);
 }

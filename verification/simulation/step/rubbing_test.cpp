@@ -60,7 +60,7 @@ TEST(PartsThatRub, bear_load_and_remove_no_rock) {
 }
 
 /// Without a law it neither bears nor is its contact measured.
-TEST(PartsThatRub, cost_nothing_without_a_law) {
+TEST(PartsThatRub, are_not_measured_without_a_law) {
   const Case c = read_case(rubbing_case(rubs, flat_law + "[forces.cse]\nlaw = \"none\"\n"), {});
   const Simulation s = ended(c);
   EXPECT_TRUE(s.work.rubbing.empty());
@@ -170,7 +170,7 @@ TEST(DepthOfCutControl, begins_where_the_bit_sinks_by_the_under_exposure_between
 /// Bit B drills 12 mm a revolution, so that its body touches the rock. The contact that a run finds is
 /// the same as that of a freshly prepared body, for which no earlier step has shown where it is clear.
 /// There is no maintenance, after which a run would search all rock again.
-TEST(PartsThatRub, are_measured_alike_however_long_they_were_clear) {
+TEST(PartsThatRub, have_results_independent_of_the_time_without_contact) {
   const Case c = read_case(
       write_file(
           test_folder() / "b.toml",

@@ -12,7 +12,7 @@ Case with(std::vector<std::string> settings) {
 }
 
 /// Lengths over the edge length of 5 mm.
-TEST(StartOfARun, gives_every_number_of_the_case_its_place) {
+TEST(StartOfARun, stores_every_number_of_the_case) {
   const Case c = with({"maintenance.rest=3", "maintenance.longest_wait=11",
                        "maintenance.shortest_edge=0.3", "maintenance.longest_edge=1.9",
                        "maintenance.worst_quality=0.11", "maintenance.flip_quality=0.22",
@@ -46,7 +46,7 @@ TEST(StartOfARun, stops_where_passes_do_not_end) {
 }
 
 /// Where the motion is by then, and no farther than it has turned since.
-TEST(StartOfARun, that_goes_on_begins_where_it_was) {
+TEST(StartOfARun, that_continues_begins_at_the_last_position) {
   const Case c = with({"time.first_step=4"});
   const Simulation s = start(c);
   EXPECT_EQ(s.state.steps_done, 4);

@@ -20,7 +20,7 @@ TEST(RunningVariance, has_count_mean_and_deviation) {
   EXPECT_DOUBLE_EQ(relative_deviation(s), 0.4);
 }
 
-TEST(RunningVariance, of_nothing_and_about_nothing_is_told_as_none) {
+TEST(RunningVariance, of_no_value_and_about_zero_is_none) {
   EXPECT_EQ(deviation({}), 0.0);
   EXPECT_EQ(relative_deviation({}), 0.0);
   const RunningVariance about_zero = of({-3.0, 3.0});

@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& instance) { return instance.param.name; });
 
 /// Once the bit stands still nothing waits any more.
-TEST(StandingStill, ends_all_waiting) {
+TEST(StandingStill, ends_all_rests_of_maintenance) {
   const Case c = read_case(TDBD_SOURCE_DIR "/cases/core.toml",
                            {"rock.edge_length='3 mm'", "time.revolutions=2"});
   Simulation s = start(c);

@@ -135,7 +135,7 @@ TEST_P(ImplicitOutcome, satisfies_the_laws_at_the_velocity_of_the_next_drift) {
 
 /// Laws of the velocity only: the twin of pressing surfaces is in implicit_loads_test. On faces that
 /// plunge there are several such velocities (the laboratory): no comparison there.
-TEST(Stands, at_the_velocity_that_relaxation_finds) {
+TEST(AtRest, has_the_velocity_that_relaxation_finds) {
   constexpr double bound = 1e-9;  // of the velocity, to which the search settles
   Case c = standing();
   c.forces.laws[static_cast<std::size_t>(bit::PartKind::cutter_body)] = forces::NoForce{};
@@ -181,7 +181,7 @@ TEST_P(ImplicitOutcome, takes_energy_by_every_part) {
 }
 
 /// Bit B falls some 2 mm into the rock until bodies and faces bear it, then it stands.
-TEST(Stands, under_its_weight_on_faces) {
+TEST(AtRest, sinks_under_its_weight_on_faces) {
   constexpr double bound = 6e-4;  // rms of a step's change of the weight, over it; required: 1e-3
   std::vector<std::string> settings = unturned;
   settings.insert(settings.end(), {"time.step='1 ms'", "time.duration='1 s'"});
@@ -259,12 +259,12 @@ void expect_alike_at_every_step(const std::string& section_at_face, double of_de
   EXPECT_NEAR(least_squares_order(steps, residuals), 2.0, 0.015);  // required: 0.2
 }
 
-TEST(Stands, alike_at_every_step_of_stick_slip) {
+TEST(AtRest, agrees_at_every_step_of_stick_slip) {
   expect_alike_at_every_step("as_ahead", 7.5e-3);  // required to 2 ms: 5e-3
 }
 
 /// Here the depth depends on the step, to first order: by 1.3 % at 3 ms and 0.9 % at 2 ms.
-TEST(Stands, alike_at_every_step_of_stick_slip_with_extrapolated_sections) {
+TEST(AtRest, agrees_at_every_step_of_stick_slip_with_extrapolated_sections) {
   expect_alike_at_every_step("extrapolated", 0.014);
 }
 
@@ -338,7 +338,7 @@ TEST_P(Steepness, is_how_far_an_explicit_impulse_goes_of_the_velocity) {
 
 /// The faces of a bit that drills are far from it: without the bodies of cutters, whose law of pressing
 /// is steep where edges of 4 mm make their contacts large, all steps are explicit.
-TEST(Stands, never_while_it_drills_on_faces) {
+TEST(AtRest, is_not_detected_while_it_drills_on_faces) {
   Case c = read_case(TDBD_SOURCE_DIR "/cases/drill-bit-b.toml",
                      {"rock.edge_length='4 mm'", "time.duration='0.2 s'"});
   c.forces.laws[static_cast<std::size_t>(bit::PartKind::cutter_body)] = forces::NoForce{};

@@ -61,7 +61,7 @@ TEST_F(SteadyBitB, removes_the_gage_circle_times_the_advance) {
   }
 }
 
-TEST_F(SteadyBitB, gives_every_cutter_what_the_radial_plane_gives_it) {
+TEST_F(SteadyBitB, cuts_the_areas_of_the_radial_plane) {
   constexpr double median_within = 3.4e-3, worst_within = 0.03, counts_from = 0.01;
   const auto expected =
       reference::radial_plane_engagement(case_->bit, advance(*case_), 20.0 * micron);

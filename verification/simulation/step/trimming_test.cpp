@@ -71,7 +71,7 @@ struct Wall {
   long triangles() const { return rock.surface.triangle_count(); }
 };
 
-TEST(Trim, waits_until_the_plane_has_gone_an_edge_further) {
+TEST(Trim, acts_when_the_plane_has_moved_an_edge_further) {
   Wall wall;
   const long all = wall.triangles();
   EXPECT_GT(wall.cut(0.02), 0.0);
@@ -87,7 +87,7 @@ TEST(Trim, waits_until_the_plane_has_gone_an_edge_further) {
 }
 
 /// However it goes down, the ledger has what the hole has lost, and at the end stands the same wall.
-RC_GTEST_PROP(Trim, in_steps_takes_what_it_takes_at_once, ()) {
+RC_GTEST_PROP(Trim, in_steps_removes_the_same_as_at_once, ()) {
   Wall at_once, in_steps;
   const double hole = at_once.hole(), depth = *battery::number(0.03, 0.05);
   const double taken = at_once.cut(depth);

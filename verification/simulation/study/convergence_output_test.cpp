@@ -107,7 +107,7 @@ TEST(ConvergenceOutput, as_a_table_ends_with_the_finest_level) {
 }
 
 /// Nor where all differences are rounding.
-TEST(ConvergenceOutput, tells_no_uncertainty_where_there_is_none) {
+TEST(ConvergenceOutput, has_no_uncertainty_where_there_is_none) {
   Convergence c = quadratic();
   c.variables[0].uncertainty.reset();
   c.variables[1].uncertainty->basis = UncertaintyBasis::exact;
@@ -117,7 +117,7 @@ TEST(ConvergenceOutput, tells_no_uncertainty_where_there_is_none) {
   EXPECT_EQ(lines[8], "  y                              2.000 (4 of 4 differences)");
 }
 
-TEST(ConvergenceOutput, against_a_reference_says_so) {
+TEST(ConvergenceOutput, names_the_reference) {
   Convergence c = quadratic();
   c.plan.reference = c.levels.back().end;
   c.variables = observe(c.levels, {c.plan.reference, 2.0});

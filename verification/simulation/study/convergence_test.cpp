@@ -54,7 +54,7 @@ ConvergenceOptions listened(Said& said) {
   return o;
 }
 
-TEST(Convergence, halves_the_step_and_sees_the_order_of_every_variable) {
+TEST(Convergence, halves_the_step_and_finds_the_order_of_every_variable) {
   const Convergence c = converge(of_body(5), {});
   EXPECT_EQ(c.status, RunStatus::completed);
   EXPECT_EQ(c.title, "a free body");
@@ -71,7 +71,7 @@ TEST(Convergence, halves_the_step_and_sees_the_order_of_every_variable) {
   EXPECT_NEAR(c.variables[0].order.order, 2.0, 6.5e-4);
 }
 
-TEST(Convergence, tells_how_far_each_level_is) {
+TEST(Convergence, reports_the_progress_of_each_level) {
   Said said;
   converge(of_body(3), listened(said));
   EXPECT_EQ(said, (Said{{1, {10, 10}}, {2, {20, 20}}, {3, {40, 40}}}));
@@ -100,7 +100,7 @@ TEST(Convergence, of_no_step_has_no_order_of_the_method) {
   EXPECT_EQ(check(fourth).nominal_order, 4.0);
 }
 
-TEST(Convergence, of_holes_compares_them_and_knows_threads) {
+TEST(Convergence, compares_holes_and_uses_threads) {
   const ConvergencePlan plan = of_hole(3, {"rock.edge_length"});
   Said said;
   const Convergence c = converge(plan, listened(said));

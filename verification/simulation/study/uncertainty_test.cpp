@@ -55,7 +55,7 @@ RC_GTEST_PROP(Uncertainty, of_a_power_of_the_size_is_five_quarters_of_its_error,
 
 /// Two terms of either sign, the second nearly as large as the first at the coarsest level. Where
 /// they cancel there to a twentieth, differences of five levels may all be too small.
-RC_GTEST_PROP(Uncertainty, holds_the_error_of_two_terms, ()) {
+RC_GTEST_PROP(Uncertainty, contains_the_error_of_two_terms, ()) {
   const double r = *battery::number(1.4, 2.1), second = *battery::number(-0.9, 1.0);
   const int p = *battery::integer(1, 2), levels = *battery::integer(5, 7);
   const Study s = study(levels, r, -2.0,
@@ -81,7 +81,7 @@ TEST(Uncertainty, without_a_settled_order_is_three_times_the_estimate) {
 }
 
 /// Two neighbours that agree by chance say nothing of the limit: the others still do.
-TEST(Uncertainty, holds_the_error_where_the_finest_difference_is_small_by_chance) {
+TEST(Uncertainty, contains_the_error_where_the_finest_difference_is_small_by_chance) {
   Study s = study(6, 2.0, 1.0, [](double h) { return h; });
   s.values[5] = s.values[4] + 1e-4 * s.sizes[5];
   s.differences[4] = std::abs(s.values[5] - s.values[4]);
