@@ -3,14 +3,20 @@
 
     reports/sweep.py NAME.nc [-o DIR]
 
-NAME_effects.svg: each figure over each factor, all points, the means of its levels (main effects) and the share of
-the variance that they explain. NAME_parallel.svg: one line for each point through all factors and figures, coloured by
-the first figure; points of the non-dominated front stand out. NAME_effects.csv: the means and shares as numbers.
+NAME_curves.svg   one factor: each figure over the factor, as a line with points
+NAME_map.svg      two factors with levels: a heat map with contours of each figure; three: a row of maps for each figure
+NAME_effects.svg  two factors or more: each figure over each factor with all points and the means of levels (main effects).
+                  For a full grid each panel has the share of the variance that the means explain. For samples it has the
+                  standardised regression coefficient, and the coefficient of determination R2 is beside the figure.
+NAME_effects.csv  the same as numbers
+NAME_parallel.svg two factors or more: one line for each point through all factors and figures, coloured by the first figure.
+                  Points of the non-dominated front have thick lines.
 """
 
 import argparse
 import csv
 import sys
+import textwrap
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -21,6 +27,7 @@ system_python.require("matplotlib", "netCDF4", "numpy")
 import matplotlib
 
 matplotlib.use("Agg")
+import matplotlib.patheffects as effects_of_paths
 import matplotlib.pyplot as plt
 import netCDF4
 import numpy as np
@@ -28,6 +35,8 @@ import numpy as np
 plt.rcParams.update({"font.size": 8, "svg.hashsalt": "tdbd"})
 DOT, MEAN, FRONT = "#9bb0c1", "#b3382c", "#1b1b1b"
 BINS = 8  # of a factor with more values than this
+MOST_MAPS = 6  # of one figure, side by side
+WORDS = {"wob": "weight on bit", "tob": "torque on bit", "rop": "rate of penetration"}
 
 
 @dataclass
@@ -38,6 +47,11 @@ class Column:
     label: str
     values: np.ndarray
     words: list  # of a factor of texts; empty: numbers
+    unit: str = "1"
+
+    def described(self):
+        """The full name with the unit."""
+        return self.name if self.unit == "1" else f"{self.name} [{self.unit}]"
 
 
 @dataclass
@@ -47,27 +61,46 @@ class Table:
     figures: list
     front: np.ndarray  # True: not dominated; all False without goals
     failed: int
+    is_grid: bool  # the design has every combination of the factors' values once
 
 
 def column_of(variable):
-    unit = getattr(variable, "units", "1")
-    name = variable.name
+    unit, name = getattr(variable, "units", "1"), variable.name
     if variable.dtype is str:
         words = list(dict.fromkeys(variable[:]))
         return Column(name, name, np.array([float(words.index(w)) for w in variable[:]]), words)
-    return Column(name, name if unit == "1" else f"{name} [{unit}]", np.ma.filled(variable[:], np.nan).astype(float), [])
+    return Column(name, name, np.ma.filled(variable[:], np.nan).astype(float), [], unit)
+
+
+def set_labels(columns):
+    """Labels for axes: the last part of the name in words, with the unit. Names with the same last part keep their other parts."""
+    last = [c.name.rpartition(".")[2] for c in columns]
+    for column, short in zip(columns, last):
+        suffix = "_" + column.unit.replace("/", "_per_").replace(" ", "_").lower()
+        words = (short if last.count(short) == 1 else column.name).removesuffix(suffix)
+        words = " ".join(WORDS.get(word, word) for word in words.split("_"))
+        column.label = words if column.unit == "1" else f"{words} [{column.unit}]"
+
+
+def is_grid(factors):
+    """Whether the points are all combinations of the factors' values, each once."""
+    points = np.array([f.values for f in factors]).T
+    count = int(np.prod([np.unique(f.values).size for f in factors]))
+    return count == len(points) == len(np.unique(points, axis=0))
 
 
 def read_table(path):
-    """The points of NAME.nc that are done. Raises OSError where it is no NetCDF file, KeyError where it is no sweep's."""
+    """The points of NAME.nc that are done. Raises OSError if it is no NetCDF file, KeyError if it is no table of a sweep."""
     with netCDF4.Dataset(path) as data:
         done = np.ma.filled(data["status"][:], 1) == 0
         front = np.ma.filled(data["front"][:], 0) == 1 if "front" in data.variables else np.zeros(done.size, bool)
-        columns = {kind: [column_of(v) for v in data.variables.values() if getattr(v, "long_name", "").startswith(kind)]
-                   for kind in ("factor ", "figure ")}
-        for column in columns["factor "] + columns["figure "]:
+        factors, figures = ([column_of(v) for v in data.variables.values() if getattr(v, "long_name", "").startswith(kind)]
+                            for kind in ("factor ", "figure "))
+        grid = is_grid(factors)
+        set_labels(factors + figures)
+        for column in factors + figures:
             column.values = column.values[done]
-        return Table(data.title, columns["factor "], columns["figure "], front[done], int((~done).sum()))
+        return Table(data.title, factors, figures, front[done], int((~done).sum()), grid)
 
 
 def groups_of(factor):
@@ -80,8 +113,8 @@ def groups_of(factor):
 
 
 def main_effect(factor, figure):
-    """([place], [mean], share): the means of a figure over groups of a factor, and their variance over the whole
-    variance (eta squared, the first-order sensitivity of a full design). Points whose figure is no number are left out."""
+    """([place], [mean], share): the means of a figure over groups of a factor, and their variance over the whole variance
+    (eta squared, the first-order sensitivity of a full grid). Points whose figure is no number are omitted."""
     known = np.isfinite(figure.values)
     groups = [(place, figure.values[which & known]) for place, which in groups_of(factor)]
     groups = [(place, values) for place, values in groups if values.size]
@@ -93,16 +126,42 @@ def main_effect(factor, figure):
     return [place for place, _ in groups], [values.mean() for _, values in groups], share
 
 
+def regression(factors, figure):
+    """([coefficient of each factor], R2) of a linear regression on standardised values. A factor of texts has one level for each
+    text, and its coefficient is the standard deviation of its contribution over that of the figure. NaN: too few points."""
+    known = np.isfinite(figure.values)
+    y = figure.values[known]
+    blocks = []
+    for factor in factors:
+        x = factor.values[known]
+        block = np.array([x == k for k in range(1, len(factor.words))], float).T if factor.words else x[:, None]
+        blocks.append(block - block.mean(axis=0) if block.size else np.zeros((y.size, 0)))
+    scales = [np.where(b.std(axis=0) > 0.0, b.std(axis=0), 1.0) for b in blocks]
+    x = np.hstack([b / s for b, s in zip(blocks, scales)])
+    if y.size <= x.shape[1] + 1 or not y.std() > 0.0:
+        return [np.nan] * len(factors), np.nan
+    z = (y - y.mean()) / y.std()
+    solved = np.linalg.lstsq(x, z, rcond=None)[0]
+    parts = np.split(solved, np.cumsum([b.shape[1] for b in blocks])[:-1])
+    coefficients = [np.std(b / s @ c) if f.words else float(c[0]) for f, b, s, c in zip(factors, blocks, scales, parts)]
+    return coefficients, 1.0 - float(np.mean((z - x @ solved) ** 2))
+
+
 def name_words(factor, axis):
     if factor.words:
         axis.set_xticks(range(len(factor.words)), factor.words, rotation=30, ha="right")
 
 
-def draw_effect(axis, factor, figure):
+def set_title(fig, text):
+    """The title, wrapped to the width of the figure."""
+    fig.suptitle(textwrap.fill(text, max(24, int(13.0 * fig.get_figwidth()))))
+
+
+def draw_effect(axis, factor, figure, note):
     axis.plot(factor.values, figure.values, ".", color=DOT, ms=3)
-    places, means, share = main_effect(factor, figure)
+    places, means, _ = main_effect(factor, figure)
     axis.plot(places, means, "o-", color=MEAN, ms=4, lw=1.2)
-    axis.annotate(f"{100.0 * share:.0f} %", (0.97, 0.95), xycoords="axes fraction", ha="right", va="top", color=MEAN)
+    axis.annotate(note, (0.97, 0.95), xycoords="axes fraction", ha="right", va="top", color=MEAN)
     name_words(factor, axis)
     axis.grid(alpha=0.3)
 
@@ -110,28 +169,123 @@ def draw_effect(axis, factor, figure):
 def effects(table):
     """Rows of figures, columns of factors."""
     rows, columns = len(table.figures), len(table.factors)
-    fig, axes = plt.subplots(rows, columns, figsize=(1.0 + 2.4 * columns, 0.6 + 1.7 * rows), squeeze=False, sharey="row",
+    fig, axes = plt.subplots(rows, columns, figsize=(1.0 + 2.4 * columns, 0.9 + 1.7 * rows), squeeze=False, sharey="row",
                              sharex="col", layout="constrained")
     for i, figure in enumerate(table.figures):
+        coefficients, explained = regression(table.factors, figure)
         for k, factor in enumerate(table.factors):
-            draw_effect(axes[i][k], factor, figure)
+            note = f"{100.0 * main_effect(factor, figure)[2]:.0f} %" if table.is_grid else f"{coefficients[k]:.2f}"
+            draw_effect(axes[i][k], factor, figure, note)
             if i == rows - 1:
                 axes[i][k].set_xlabel(factor.label)
-        axes[i][0].set_ylabel(figure.label)
-    fig.suptitle(f"{table.title}: means of levels, and their share of the variance")
+        axes[i][0].set_ylabel(textwrap.fill(figure.label, 26) + ("" if table.is_grid else f"\nR$^2$ = {explained:.2f}"))
+    set_title(fig, f"{table.title}: " + ("means of levels, and their share of the variance" if table.is_grid else
+                                        "means, and standardised regression coefficients"))
     return fig
 
 
 def write_effects(table, path):
-    """A row for each figure and factor: the share of the variance, and the means over the factor's places."""
+    """A row for each figure and factor: the share of the variance, or the coefficient and R2, and the means."""
     with path.open("w", newline="", encoding="utf-8") as file:
         out = csv.writer(file, lineterminator="\n")
-        out.writerow(["figure", "factor", "share", "means at places"])
+        out.writerow(["figure", "factor", *(["share"] if table.is_grid else ["standardised coefficient", "R2"]), "means at places"])
         for figure in table.figures:
-            for factor in table.factors:
+            coefficients, explained = regression(table.factors, figure)
+            for factor, coefficient in zip(table.factors, coefficients):
                 places, means, share = main_effect(factor, figure)
                 names = [factor.words[round(p)] if factor.words else f"{p:.4g}" for p in places]
-                out.writerow([figure.label, factor.label, f"{share:.3f}", "; ".join(f"{m:.4g} at {n}" for m, n in zip(means, names))])
+                numbers = [f"{share:.3f}"] if table.is_grid else [f"{coefficient:.3f}", f"{explained:.3f}"]
+                out.writerow([figure.described(), factor.described(), *numbers, "; ".join(f"{m:.4g} at {n}" for m, n in zip(means, names))])
+
+
+def columns_of(table):
+    """Panels side by side, with one panel for each figure."""
+    return min(3, int(np.ceil(np.sqrt(len(table.figures)))))
+
+
+def curves(table):
+    """Each figure over the only factor."""
+    [factor] = table.factors
+    columns = columns_of(table)
+    rows = -(-len(table.figures) // columns)
+    fig, axes = plt.subplots(rows, columns, figsize=(1.0 + 3.4 * columns, 0.8 + 2.4 * rows), squeeze=False, sharex=True, layout="constrained")
+    order = np.argsort(factor.values, kind="stable")
+    for axis, figure in zip(axes.flat, table.figures):
+        axis.plot(factor.values[order], figure.values[order], "o" if factor.words else "o-", color=MEAN, ms=4, lw=1.2)
+        axis.set(xlabel=factor.label, ylabel=textwrap.fill(figure.label, 30))
+        axis.xaxis.set_tick_params(labelbottom=True)
+        name_words(factor, axis)
+        axis.grid(alpha=0.3)
+    for axis in axes.flat[len(table.figures):]:
+        axis.set_visible(False)
+    set_title(fig, table.title)
+    return fig
+
+
+def cells(x, y, figure, which):
+    """(values of x, values of y, figure[y, x]) of the selected points; NaN: no such point."""
+    xs, ys = np.unique(x.values), np.unique(y.values)
+    grid = np.full((ys.size, xs.size), np.nan)
+    grid[np.searchsorted(ys, y.values[which]), np.searchsorted(xs, x.values[which])] = figure.values[which]
+    return xs, ys, grid
+
+
+def draw_map(axis, x, y, figure, which, limits):
+    """A heat map with dots at the points and, between numbers, contours."""
+    xs, ys, grid = cells(x, y, figure, which)
+    shown = axis.pcolormesh(xs, ys, np.ma.masked_invalid(grid), shading="nearest", cmap="viridis", vmin=limits[0], vmax=limits[1])
+    if not x.words and not y.words and min(grid.shape) > 1 and np.isfinite(grid).sum() > 3 and np.nanmax(grid) > np.nanmin(grid):
+        lines = axis.contour(xs, ys, np.ma.masked_invalid(grid), levels=6, colors="white", linewidths=0.9)
+        outline = [effects_of_paths.withStroke(linewidth=2.0, foreground="black")]
+        for line in (*lines.collections, *axis.clabel(lines, fontsize=7)):
+            line.set_path_effects(outline)
+    axis.plot(x.values[which], y.values[which], ".", color="white", ms=3, alpha=0.7)
+    axis.set_facecolor("#d9d9d9")  # failed points
+    name_words(x, axis)
+    if y.words:
+        axis.set_yticks(range(len(y.words)), y.words)
+    return shown
+
+
+def maps(table):
+    """A map of each figure over two factors; for three, a row of maps for each figure, over the values of the factor with the fewest."""
+    rest = min(table.factors, key=lambda f: np.unique(f.values).size) if len(table.factors) == 3 else None
+    y, x = (f for f in table.factors if f is not rest)
+    levels = [None] if rest is None else np.unique(rest.values)
+    columns = len(levels) if rest is not None else columns_of(table)
+    panels = [(figure, level) for figure in table.figures for level in levels]
+    rows = -(-len(panels) // columns)
+    fig, axes = plt.subplots(rows, columns, figsize=(0.8 + 3.6 * columns, 0.8 + 2.9 * rows), squeeze=False, layout="constrained")
+    for axis, (figure, level) in zip(axes.flat, panels):
+        which = np.isfinite(figure.values) & (True if level is None else rest.values == level)
+        limits = (np.nanmin(figure.values), np.nanmax(figure.values)) if np.isfinite(figure.values).any() else (0.0, 1.0)
+        shown = draw_map(axis, x, y, figure, which, limits)
+        axis.set(xlabel=x.label, ylabel=y.label)
+        if level is not None:
+            axis.set_title(f"{rest.label}: {rest.words[int(level)] if rest.words else f'{level:.4g}'}", fontsize=8)
+        fig.colorbar(shown, ax=axis, label=textwrap.fill(figure.label, 30))
+    for axis in axes.flat[len(panels):]:
+        axis.set_visible(False)
+    set_title(fig, table.title)
+    return fig
+
+
+def no_map(table):
+    """Why a table of two or more factors has no map, or None."""
+    if not table.is_grid:
+        return "no map: the points are samples, and a map needs every combination of the values of two or three factors"
+    if len(table.factors) > 3:
+        return f"no map: the sweep has {len(table.factors)} factors, and a map shows two or three; fix the others in [set] of the design"
+    if len(table.factors) == 3 and (fewest := min(np.unique(f.values).size for f in table.factors)) > MOST_MAPS:
+        return f"no map: each of the three factors has {fewest} values or more, and at most {MOST_MAPS} maps are drawn side by side"
+    return None
+
+
+def pictures(table):
+    """{kind: function that draws it}."""
+    if len(table.factors) == 1:
+        return {"curves": curves}
+    return {**({} if no_map(table) else {"map": maps}), "effects": effects, "parallel": parallel}
 
 
 def scaled(column):
@@ -166,7 +320,8 @@ def parallel(table):
     axis.set_ylim(-0.12, 1.12)
     axis.spines[:].set_visible(False)
     note = f"; thick: the {int(table.front.sum())} that no other point dominates" if table.front.any() else ""
-    axis.set_title(f"{table.title}: {table.front.size} points, coloured by {table.figures[0].name}{note}")
+    text = f"{table.title}: {table.front.size} points, coloured by {table.figures[0].label}{note}"
+    axis.set_title(textwrap.fill(text, max(24, int(15.0 * fig.get_figwidth()))))
     return fig
 
 
@@ -179,21 +334,24 @@ def main():
         table = read_table(arguments.table)
     except (OSError, KeyError, IndexError, AttributeError) as error:
         sys.exit(f"{arguments.table}: found no table of a sweep ({error}), expected NAME.nc of tdbd sweep")
-    if not table.figures or table.front.size == 0:
+    if not table.factors or not table.figures or table.front.size == 0:
         sys.exit(f"{arguments.table}: found no point that is done, expected at least one")
     folder = arguments.output or arguments.table.parent
     folder.mkdir(parents=True, exist_ok=True)
-    for kind, draw in (("effects", effects), ("parallel", parallel)):
+    for kind, draw in pictures(table).items():
         path = folder / f"{arguments.table.stem}_{kind}.svg"
         figure = draw(table)
         figure.savefig(path, metadata={"Date": None, "Creator": None})
         plt.close(figure)
         print(path)
-    effects_csv = folder / f"{arguments.table.stem}_effects.csv"
-    write_effects(table, effects_csv)
-    print(effects_csv)
+    if len(table.factors) > 1:
+        effects_csv = folder / f"{arguments.table.stem}_effects.csv"
+        write_effects(table, effects_csv)
+        print(effects_csv)
+        if reason := no_map(table):
+            print(reason)
     if table.failed:
-        print(f"{table.failed} points are not drawn: they failed, or are missing")
+        print(f"{table.failed} points are not drawn: they failed, are missing or were rejected by the filter")
 
 
 if __name__ == "__main__":

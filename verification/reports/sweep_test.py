@@ -1,4 +1,4 @@
-"""sweep_test.py TDBD ROOT: what is drawn of a sweep is in its table, and shares of variance are what they must be."""
+"""sweep_test.py TDBD ROOT: pictures of a sweep show the values of its table; shares and coefficients agree with closed forms."""
 
 import pathlib
 import subprocess
@@ -45,6 +45,102 @@ class MainEffects(unittest.TestCase):
         self.assertEqual(sweep.main_effect(column([1, 2]), column([np.nan, np.nan]))[:2], ([], []))
 
 
+class Regression(unittest.TestCase):
+    def test_of_a_linear_function_has_its_coefficients_and_explains_all(self):
+        random = np.random.default_rng(2)
+        a, b = random.random(50), random.random(50)
+        y = 3.0 * a - 2.0 * b
+        coefficients, explained = sweep.regression([column(a), column(b)], column(y))
+        np.testing.assert_allclose(coefficients, [3.0 * a.std() / y.std(), -2.0 * b.std() / y.std()], rtol=1e-12)
+        self.assertAlmostEqual(explained, 1.0, places=14)
+
+    def test_of_a_factor_of_texts_is_the_deviation_of_its_contribution(self):
+        level, a = np.repeat([0.0, 1.0, 2.0], 20), np.tile(np.linspace(0.0, 1.0, 20), 3)
+        part = np.array([5.0, 1.0, 2.0])[level.astype(int)]
+        coefficients, explained = sweep.regression([column(level, "xyz"), column(a)], column(part + a))
+        np.testing.assert_allclose(coefficients, np.array([part.std(), a.std()]) / (part + a).std(), rtol=1e-12)
+        self.assertAlmostEqual(explained, 1.0, places=14)
+
+    def test_of_an_even_function_explains_nothing(self):
+        a = np.linspace(-1.0, 1.0, 41)
+        coefficients, explained = sweep.regression([column(a)], column(a**2))
+        self.assertAlmostEqual(coefficients[0], 0.0, places=14)
+        self.assertAlmostEqual(explained, 0.0, places=14)
+
+    def test_of_too_few_points_or_of_a_constant_is_no_number(self):
+        for x, y in (([1, 2], [3, 4]), ([1, 2, 3, 4], [5, 5, 5, 5])):
+            coefficients, explained = sweep.regression([column(x)], column(y))
+            self.assertTrue(np.isnan(coefficients[0]) and np.isnan(explained))
+
+
+def grid(*levels, figures=1):
+    """A table over all combinations of levels; figure k is the sum of the factors times k + 1."""
+    values = [np.ravel(m) for m in np.meshgrid(*levels, indexing="ij")]
+    factors = [sweep.Column(f"case.factor_{i}", "", v, [], "rpm") for i, v in enumerate(values)]
+    made = [sweep.Column(f"rop_{k}_m_per_s", "", (k + 1.0) * sum(values), [], "m/s") for k in range(figures)]
+    sweep.set_labels(factors + made)
+    return sweep.Table("a title that is far too long for one line of a small picture", factors, made,
+                       np.zeros(values[0].size, bool), 0, sweep.is_grid(factors))
+
+
+class Maps(unittest.TestCase):
+    def test_a_grid_is_every_combination_once(self):
+        table = grid([1.0, 2.0], [3.0, 4.0, 5.0])
+        self.assertTrue(table.is_grid)
+        table.factors[0].values[0] = 2.0
+        self.assertFalse(sweep.is_grid(table.factors))
+
+    def test_two_factors_have_a_heat_map_with_contours_of_each_figure(self):
+        table = grid([1.0, 2.0, 4.0], [10.0, 20.0], figures=2)
+        first, second = sweep.maps(table).axes[:2]
+        self.assertEqual((first.get_xlabel(), first.get_ylabel()), ("factor 1 [rpm]", "factor 0 [rpm]"))
+        mesh = first.collections[0]
+        np.testing.assert_array_equal(np.reshape(mesh.get_array(), (3, 2)), [[11.0, 21.0], [12.0, 22.0], [14.0, 24.0]])
+        np.testing.assert_array_equal(np.ravel(second.collections[0].get_array()), 2.0 * np.ravel(mesh.get_array()))
+        self.assertGreater(len(first.collections), 1)
+        self.assertIn("\n", sweep.maps(grid([1.0, 2.0], [3.0, 4.0]))._suptitle.get_text())
+
+    def test_a_failed_point_is_empty(self):
+        table = grid([1.0, 2.0], [10.0, 20.0])
+        table.figures[0].values[1] = np.nan
+        values = sweep.maps(table).axes[0].collections[0].get_array()
+        np.testing.assert_array_equal(np.ma.getmaskarray(values).ravel(), [False, True, False, False])
+
+    def test_three_factors_have_a_row_of_maps_of_each_figure(self):
+        table = grid([1.0, 2.0, 3.0], [5.0, 6.0], [10.0, 20.0, 30.0], figures=2)
+        axes = [a for a in sweep.maps(table).axes if a.get_title()]
+        self.assertEqual([a.get_title() for a in axes], 2 * ["factor 1 [rpm]: 5", "factor 1 [rpm]: 6"])
+        self.assertEqual(np.ravel(axes[1].collections[0].get_array())[0], 1.0 + 6.0 + 10.0)
+
+    def test_one_factor_has_a_line_with_points_of_each_figure(self):
+        table = grid([3.0, 1.0, 2.0], figures=2)
+        self.assertEqual(list(sweep.pictures(table)), ["curves"])
+        [line] = sweep.curves(table).axes[1].get_lines()
+        np.testing.assert_array_equal(line.get_xydata(), [[1.0, 2.0], [2.0, 4.0], [3.0, 6.0]])
+        self.assertEqual(sweep.curves(table).axes[0].get_ylabel(), "rate of penetration 0 [m/s]")
+
+    def test_without_a_map_the_reason_is_given(self):
+        many = list(range(7))
+        samples = grid([1.0, 2.0], [3.0, 4.0])
+        samples.is_grid = False
+        for table, word in ((samples, "the points are samples"), (grid(*4 * [[1.0, 2.0]]), "the sweep has 4 factors"),
+                            (grid(many, many, many), "7 values or more")):
+            self.assertIn(word, sweep.no_map(table))
+            self.assertNotIn("map", sweep.pictures(table))
+
+    def test_samples_have_coefficients_in_place_of_shares(self):
+        table = grid([1.0, 2.0, 3.0], [3.0, 4.0, 6.0])
+        table.is_grid = False
+        figure = sweep.effects(table)
+        coefficients, _ = sweep.regression(table.factors, table.figures[0])
+        self.assertEqual([t.get_text() for a in figure.axes for t in a.texts], [f"{c:.2f}" for c in coefficients])
+        self.assertTrue(figure.axes[0].get_ylabel().endswith("R$^2$ = 1.00"))
+        with tempfile.TemporaryDirectory() as folder:
+            sweep.write_effects(table, pathlib.Path(folder) / "effects.csv")
+            head = (pathlib.Path(folder) / "effects.csv").read_text().splitlines()[0]
+        self.assertEqual(head, "figure,factor,standardised coefficient,R2,means at places")
+
+
 class Pictures(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -76,12 +172,12 @@ class Pictures(unittest.TestCase):
         self.assertGreater(int(table.front.sum()), 1)
         self.assertIn("6 points", axes.get_title())
 
-    def test_the_same_table_gives_the_same_bytes(self):
+    def test_pictures_are_reproducible(self):
         made = []
         for name in ("a", "b"):
             subprocess.run([ROOT / "reports/sweep.py", self.table, "-o", self.folder / name], check=True, stdout=subprocess.DEVNULL)
             made.append([p.read_bytes() for p in sorted((self.folder / name).glob("*.svg"))])
-        self.assertEqual(len(made[0]), 2)
+        self.assertEqual(len(made[0]), 3)
         self.assertEqual(*made)
 
     def test_what_is_no_table_is_named(self):
