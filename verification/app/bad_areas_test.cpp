@@ -32,7 +32,7 @@ void PrintTo(const BadArea& m, std::ostream* out) { *out << m.name; }
 
 class BadForceAreas : public ::testing::TestWithParam<BadArea> {};
 
-TEST_P(BadForceAreas, are_refused_with_their_place_and_reason) {
+TEST_P(BadForceAreas, are_rejected_with_their_place_and_reason) {
   const ForceAreasCase c(GetParam().areas);
   expect_refused(c, c.in_folder(std::string("case.toml:") + GetParam().message));
 }

@@ -28,7 +28,7 @@ TEST(BitAreasCase, that_areas_of_a_bit_are_right) {
 
 class BadBitAreas : public ::testing::TestWithParam<BadArea> {};
 
-TEST_P(BadBitAreas, are_refused_with_their_place_and_reason) {
+TEST_P(BadBitAreas, are_rejected_with_their_place_and_reason) {
   const SmallCase c = with_areas(GetParam().areas);
   std::string message = GetParam().message;
   for (auto at = message.find('%'); at != std::string::npos; at = message.find('%'))

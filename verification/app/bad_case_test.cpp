@@ -18,7 +18,7 @@ TEST(BadCase, that_the_small_case_is_right) {
 
 class BadCase : public ::testing::TestWithParam<Mistake> {};
 
-TEST_P(BadCase, is_refused_with_its_place_and_reason) {
+TEST_P(BadCase, is_rejected_with_its_place_and_reason) {
   const SmallCase c;
   c.edit("case.toml", GetParam().from, GetParam().to);
   expect_refused(c, std::string("case.toml:") + GetParam().message);
@@ -50,7 +50,7 @@ const Mistake mistakes[] = {
     {"a_first_step_beyond_the_run", "duration", "first_step = 20\nduration",
      "11: time.first_step: found 20 of 20 steps, expected a step before the "
      "end of the run"},
-    {"steps_that_nobody_can_wait_for", "2 ms", "1e-30 ms",
+    {"far_too_many_steps", "2 ms", "1e-30 ms",
      "10: time.step: found 1e-33 s for a run of 0.04 s, which makes 4e+31 steps, expected at most "
      "1e+10 steps"},
     {"a_wall_longer_than_any_borehole", "20 mm", "1e30 m",

@@ -16,7 +16,7 @@ void PrintTo(const Wrong& w, std::ostream* out) { *out << w.name; }
 
 class BadDrilling : public ::testing::TestWithParam<Wrong> {};
 
-TEST_P(BadDrilling, is_refused_with_its_place_and_reason) {
+TEST_P(BadDrilling, is_rejected_with_its_place_and_reason) {
   std::vector<std::string> arguments{
       "check", TDBD_SOURCE_DIR "/cases/" + std::string(GetParam().file) + ".toml"};
   for (const std::string& s : GetParam().settings) {
@@ -126,7 +126,7 @@ const Wrong wrongs[] = {
      "drill-bit-b",
      {"measure.section_every=4"},
      "--set: measure.section_every: found 4, expected 1 if forces move the bit"},
-    {"a_rock_that_nobody_knows",
+    {"an_unknown_rock",
      "drill-bit-b",
      {"rock.material=cheese"},
      "--set: rock.material: found \"cheese\", expected one of berea-sandstone"},
@@ -151,7 +151,7 @@ const Wrong wrongs[] = {
      "drill-bit-b",
      {"motion.weight_on_bit='30 GN'"},
      "motion.weight_on_bit: found 3e+10 N, expected at most "},
-    {"a_wish_for_the_order_that_nobody_knows",
+    {"an_unknown_order",
      "drill-bit-b",
      {"output.energy_order=sometimes"},
      "--set: output.energy_order: found \"sometimes\", expected one of on, off, always"},

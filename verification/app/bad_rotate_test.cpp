@@ -7,7 +7,7 @@ namespace tdbd::app::bad_rotate_test {
 
 class BadRotate : public ::testing::TestWithParam<Mistake> {};
 
-TEST_P(BadRotate, is_refused_with_its_place_and_reason) {
+TEST_P(BadRotate, is_rejected_with_its_place_and_reason) {
   const Mistake& m = GetParam();
   const RotateFolder c;
   c.edit("case.toml", m.from, m.to);
@@ -136,7 +136,7 @@ std::string mesh_case(const std::string& file) {
   return "[body]\nmesh = \"" + file + "\"\ndensity = 2\nunit = 1\n[time]\nstep = 1\nduration = 1\n";
 }
 
-TEST(BadRotate, a_mesh_that_bounds_no_solid_is_refused_at_its_key) {
+TEST(BadRotate, a_mesh_that_bounds_no_solid_is_rejected_at_its_key) {
   const RotateFolder c;
   const std::string box = read(c.path("box.off"));
   c.write("open.off", "OFF\n8 11 0" + box.substr(10, box.rfind("3 3 4 7") - 10));
@@ -155,7 +155,7 @@ TEST(BadRotate, a_mesh_that_bounds_no_solid_is_refused_at_its_key) {
   EXPECT_FALSE(std::filesystem::exists(c.path("out")));
 }
 
-TEST(BadRotate, a_file_that_is_no_mesh_is_refused_at_its_key) {
+TEST(BadRotate, a_file_that_is_no_mesh_is_rejected_at_its_key) {
   const RotateFolder c;
   c.write("case.toml", mesh_case("torque.csv"));
   expect_refusal(c.rotate(), c.path("case.toml").string() + ":2: body.mesh: found " +
@@ -189,7 +189,7 @@ TEST(BadRotate, a_flat_body_is_a_body) {
   EXPECT_EQ(c.check().exit_code, 0) << c.check().err;
 }
 
-TEST(BadRotate, samples_are_refused_with_their_line) {
+TEST(BadRotate, samples_are_rejected_with_their_line) {
   const RotateFolder c;
   const std::string file = c.path("torque.csv").string();
   c.write("torque.csv", "time_s,x,y,z\n0,0,0,0\n1,0,0,0\n1,0,0,0\n");

@@ -48,7 +48,7 @@ class StringFolder : public CaseFolder {
 
 class BadString : public ::testing::TestWithParam<Mistake> {};
 
-TEST_P(BadString, is_refused_with_its_place_and_reason) {
+TEST_P(BadString, is_rejected_with_its_place_and_reason) {
   const Mistake& m = GetParam();
   const StringFolder c;
   c.edit("case.toml", m.from, m.to);
@@ -191,7 +191,7 @@ class LogFolder : public StringFolder {
 
 class BadLog : public ::testing::TestWithParam<WrongLog> {};
 
-TEST_P(BadLog, is_refused_with_its_place_and_reason) {
+TEST_P(BadLog, is_rejected_with_its_place_and_reason) {
   const WrongLog& w = GetParam();
   const LogFolder c;
   c.edit(w.file, w.from, w.to);
@@ -245,7 +245,7 @@ TEST(StringCommand, lists_the_columns_of_a_log_where_one_is_missing) {
                               "ROP, HL");
 }
 
-TEST(StringCommand, runs_with_a_log_and_refuses_a_hook_load_beside_that_of_the_log) {
+TEST(StringCommand, runs_with_a_log_and_rejects_a_hook_load_beside_that_of_the_log) {
   const LogFolder c;
   EXPECT_EQ(c.run({"--quiet"}).exit_code, 0);
   c.edit("case.toml", "block_speed = \"ROP\"", "hook_load = \"HL\"");
@@ -258,7 +258,7 @@ TEST(StringCommand, runs_with_a_log_and_refuses_a_hook_load_beside_that_of_the_l
                      "expected one of the two: see [string.top.log]");
 }
 
-TEST(StringCommand, runs_and_refuses_to_overwrite) {
+TEST(StringCommand, runs_and_rejects_to_overwrite) {
   const StringFolder c;
   const battery::Outcome first = c.run();
   EXPECT_EQ(first.exit_code, 0) << first.err;
@@ -302,7 +302,7 @@ TEST(StringCommand, warns_of_elements_too_long_for_the_blades) {
       << o.err;
 }
 
-TEST(StringCommand, refuses_a_case_of_another_kind_and_names_its_command) {
+TEST(StringCommand, rejects_a_case_of_another_kind_and_names_its_command) {
   const StringFolder c;
   const battery::Outcome o =
       battery::run_tdbd({"run", c.path("case.toml").string(), "-o", c.path("out").string()});

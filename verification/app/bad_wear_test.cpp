@@ -22,7 +22,7 @@ void PrintTo(const BadWear& m, std::ostream* out) { *out << m.name; }
 
 class BadWearTables : public ::testing::TestWithParam<BadWear> {};
 
-TEST_P(BadWearTables, are_refused_with_exit_code_2_and_their_line) {
+TEST_P(BadWearTables, are_rejected_with_exit_code_2_and_their_line) {
   const SmallCaseWithForces c(GetParam().wear);
   expect_refused(c, std::string("case.toml:") + GetParam().message);
 }

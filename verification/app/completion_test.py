@@ -68,7 +68,7 @@ class Completion(unittest.TestCase):
         self.assertEqual(self.offers("bit", "--format", ""), ["obj", "off", "ply", "stl"])
         self.assertEqual(self.offers("bit", "--format", "o"), ["obj", "off"])
 
-    def test_offers_nothing_for_what_only_the_user_knows(self):
+    def test_offers_nothing_for_free_text(self):
         self.assertEqual(self.offers("run", "--threads", ""), [])
         self.assertEqual(self.offers("run", "first.toml", "--set", ""), [])
         self.assertEqual(self.offers("run", "first.toml", "--set", "time.step", "="), [])

@@ -211,7 +211,7 @@ TEST(Converge, takes_threads) {
   EXPECT_EQ(c.converge(with("0"), "none").exit_code, 2);
 }
 
-TEST(Converge, a_wrong_study_is_refused) {
+TEST(Converge, a_wrong_study_is_rejected) {
   const RotateFolder c;
   const std::vector<std::string> levels{"--levels", "4"};
   const auto with = [&](std::vector<std::string> more) {
@@ -234,7 +234,7 @@ TEST(Converge, a_wrong_study_is_refused) {
                        "result");
 }
 
-TEST(Converge, levels_that_end_at_different_times_are_refused) {
+TEST(Converge, levels_that_end_at_different_times_are_rejected) {
   const RotateFolder c;
   const auto o = c.converge({"--over", "time.duration", "--levels", "4"});
   EXPECT_EQ(o.exit_code, 2);
@@ -245,7 +245,7 @@ TEST(Converge, levels_that_end_at_different_times_are_refused) {
   EXPECT_FALSE(std::filesystem::exists(c.path("orders")));
 }
 
-TEST(Converge, a_last_level_that_is_no_right_case_is_refused_before_the_first_runs) {
+TEST(Converge, a_last_level_that_is_no_right_case_is_rejected_before_the_first_runs) {
   const RotateFolder c;
   expect_study_refused(
       c, {"--over", "time.step", "--levels", "60"},
@@ -254,14 +254,14 @@ TEST(Converge, a_last_level_that_is_no_right_case_is_refused_before_the_first_ru
       "1000000000000000 steps");
 }
 
-TEST(Converge, neighbours_with_the_same_steps_are_refused) {
+TEST(Converge, neighbours_with_the_same_steps_are_rejected) {
   const RotateFolder c;
   expect_study_refused(c, {"--over", "time.step", "--levels", "3", "--factor", "1.0001", "--quiet"},
                        "--factor: level 2: found 200 steps, as at level 1, expected more: take a "
                        "larger factor");
 }
 
-TEST(Converge, a_reference_of_another_kind_is_refused) {
+TEST(Converge, a_reference_of_another_kind_is_rejected) {
   const RotateFolder c;
   c.write("summary.json", "{\"command\": \"bit\", \"duration_s\": 1}");
   const auto other =
@@ -278,7 +278,7 @@ TEST(Converge, a_reference_of_another_kind_is_refused) {
       << shorter.err;
 }
 
-TEST(Converge, wrong_numbers_of_levels_are_refused_by_the_command_line) {
+TEST(Converge, wrong_numbers_of_levels_are_rejected_by_the_command_line) {
   const RotateFolder c;
   for (const char* levels : {"1", "0", "-3", "1000", "many"})
     EXPECT_EQ(c.converge({"--over", "time.step", "--levels", levels}).exit_code, 2) << levels;

@@ -62,7 +62,7 @@ TEST(FirstWords, a_wrong_one_names_the_right_one) {
 }
 
 /// Options that no command follows are no way to do nothing.
-TEST(FirstWords, without_a_command_are_refused) {
+TEST(FirstWords, without_a_command_are_rejected) {
   for (const std::string word : {"--", "--quiet"})
     expect_told({word}, "found no command, expected one; tdbd COMMAND --help lists its arguments");
 }

@@ -44,7 +44,7 @@ class ManualPage(unittest.TestCase):
         self.assertRegex(tdbd("help", "--man"), r'(?m)^\.TH TDBD 1 "" "tdbd \d+\.\d+\.\d+" "User Commands"$')
         self.assertIn("NAME tdbd - drill bits cutting rock, verification first SYNOPSIS", self.text)
 
-    def test_holds_what_the_help_of_every_command_says(self):
+    def test_contains_the_help_of_every_command(self):
         self.assertIn("sweep", commands())
         for command in commands():
             head, *lines = tdbd(command, "--help").splitlines()
@@ -64,7 +64,7 @@ class ManualPage(unittest.TestCase):
         self.assertIn("--set time.step='2 ms'; `tdbd keys` lists the keys", self.text)
         self.assertIn(r"\-\-set time.step=\(aq2 ms\(aq; \(gatdbd keys\(ga lists the keys", tdbd("help", "--man"))
 
-    def test_tells_the_defaults_that_help_tells(self):
+    def test_lists_the_defaults_of_help(self):
         options = "\n".join(tdbd(command, "--help") for command in commands())
         told = re.findall(r"^  -[^ ]+ (?!KEY=)[A-Z][^=\n]*=(\S+(?: \S+)?)(?: REQUIRED)?(?:  |$)", options, re.MULTILINE)
         held = re.findall(r"; default: (.*)$", tdbd("help", "--man"), re.MULTILINE)

@@ -13,7 +13,7 @@ constexpr double rounding = 1e-13;  // of the largest term
 
 double scale(const GoldenState& s) { return 1.0 + s.body_momentum_B.norm() + std::abs(s.energy); }
 
-TEST(Golden, states_obey_the_inertia_relations) {
+TEST(Golden, states_satisfy_the_inertia_relations) {
   for (const std::string& name : golden_names()) {
     const GoldenCase c = read_golden_case(name);
     ASSERT_EQ(c.states.size(), 5u) << name;

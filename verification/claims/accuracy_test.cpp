@@ -51,7 +51,7 @@ TEST(Accuracy, of_the_thesis_drift_against_the_golden_cases) {
 
 /// "Remarkable" is a comparison: with the classical method at equal cost, and with the default drift.
 /// Unfavourable: the thesis's drift has the larger error in both.
-TEST(Accuracy, of_the_thesis_drift_against_others_at_equal_cost) {
+TEST(Accuracy, of_the_thesis_drift_compared_at_equal_evaluations) {
   std::vector<double> to_classical, to_split;
   for (const std::string& name : battery::golden_names()) {
     const battery::GoldenCase c = battery::read_golden_case(name);

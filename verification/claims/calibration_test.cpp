@@ -75,7 +75,7 @@ constexpr double outside_of_95 = 0.08;  // share of readings or coefficients; 0.
 const std::string few_draws =
     "5 % is meant; 3 % more are 1.8 standard deviations of 175 independent coefficients";
 
-TEST(BlindLaboratory, predicts_the_withheld_bit_of_a_law_that_it_knows) {
+TEST(BlindLaboratory, predicts_the_withheld_bit_under_a_known_law) {
   // Bit A lies between B and C in rake, size and number of cutters; B and C lie outside of the others.
   const std::map<std::string, double> limits{{"A", 0.06}, {"B", 0.09}, {"C", 0.12}};
   for (const Pairing& p : pairings()) {

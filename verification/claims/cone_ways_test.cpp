@@ -141,7 +141,7 @@ void add_spectrum(nlohmann::ordered_json& table, double mass, const reference::R
 
 /// Balancing the weight at every moment hides what a mass does to it. With the damping of a string of
 /// 0.5 MN s/m; masses from 0.5 to 50 t.
-TEST(ConeWays, that_balance_the_weight_know_no_axial_mass) {
+TEST(ConeWays, that_balance_the_weight_do_not_depend_on_axial_mass) {
   const std::string claim = "chapter2/weight-balance";
   const reference::RollerBit bit = reference::example::roller_bit(4e-3);
   nlohmann::ordered_json table = nlohmann::ordered_json::array(), spectrum = table;

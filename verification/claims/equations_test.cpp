@@ -92,7 +92,7 @@ TEST(EquationsOfMotion, are_those_of_body_and_cones_in_bearings) {
   check("chapter5/equations", 3, agreement_of_three);
 }
 
-TEST(EquationsOfMotion, hold_for_any_number_of_cones) {
+TEST(EquationsOfMotion, are_satisfied_for_any_number_of_cones) {
   for (const std::size_t cones : {0u, 1u, 2u, 5u, 7u})
     check("chapter5/any-number-of-cones", cones, agreement);
 }

@@ -40,7 +40,7 @@ TEST(StrengthFromRate, is_undone_by_rate_from_strength) {
 
 /// Three rates fix the constants; a fourth and another rock are predicted. The fitted b is negative: a
 /// sprocket in plastic rock has no limit of cleaning, so the form does not hold exactly.
-TEST(StrengthFromRate, fits_a_bit_that_it_does_not_know_within_a_fifth) {
+TEST(StrengthFromRate, predicts_a_withheld_bit_within_a_fifth) {
   const ref::WintersFit fit =
       ref::fit_winters({drilled(2e3, 1.0), drilled(4e3, 1.0), drilled(8e3, 1.0)});
   const ref::WintersPoint next = drilled(16e3, 1.0);

@@ -65,7 +65,7 @@ TEST(ObservedOrder, rounding_alone_is_exact_and_no_order) {
   EXPECT_EQ(in_words(o, "errors"), "exact: all errors are rounding");
 }
 
-TEST(ObservedOrder, the_scale_tells_what_rounding_is) {
+TEST(ObservedOrder, the_scale_defines_rounding) {
   const Study s = study(5, [](double h) { return h * h; });
   EXPECT_EQ(observe(s, 1.0).verdict, OrderVerdict::order);
   EXPECT_EQ(observe(s, 1e12).verdict, OrderVerdict::exact);
@@ -161,7 +161,7 @@ TEST(ObservedOrder, errors_that_wander_have_not_settled) {
   EXPECT_EQ(in_words(o, "errors").rfind("no order: not settled", 0), 0u) << in_words(o, "errors");
 }
 
-TEST(ObservedOrder, words_say_how_many_were_used) {
+TEST(ObservedOrder, text_states_how_many_levels_were_used) {
   const ObservedOrder o = observe(study(4, [](double h) { return h * h; }));
   EXPECT_EQ(in_words(o, "errors"), "2.000 (4 of 4 errors)");
 }

@@ -29,7 +29,7 @@ TEST(ReadFile, gives_every_byte) {
 }
 
 /// The system reports their size as 0.
-TEST(ReadFile, gives_files_that_do_not_tell_their_size) {
+TEST(ReadFile, reads_files_without_a_known_size) {
   EXPECT_FALSE(read_file("/proc/self/status", "a text").empty());
 }
 
@@ -63,7 +63,7 @@ TEST(ReadFile, of_a_program_with_too_many_open_files_is_no_mistake_of_the_input)
 }
 
 /// A pipe waits for its writer, and /dev/zero has no end.
-TEST(ReadFile, refuses_pipes_devices_folders_and_loops_of_links_unopened) {
+TEST(ReadFile, rejects_pipes_devices_folders_and_loops_of_links_unopened) {
   const std::string pipe = write_temporary(".pipe", "");
   fs::remove(pipe);
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);

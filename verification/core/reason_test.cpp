@@ -10,7 +10,7 @@ TEST(Reason, is_in_words) {
 }
 
 /// The difference between exit codes 1 and 2.
-TEST(Reason, tells_what_a_machine_lacks_from_mistakes) {
+TEST(Reason, distinguishes_missing_resources_from_mistakes) {
   for (const int lacking : {ENOSPC, EMFILE, ENFILE, ENOMEM, EFBIG, EIO, EROFS})
     EXPECT_TRUE(is_resource_error({lacking, std::system_category()})) << lacking;
   for (const int mistaken : {ENOENT, ENOTDIR, EACCES, EISDIR})

@@ -156,7 +156,7 @@ TEST(UnitTable, converts_temperatures_with_prefixes) {
               rounding * 293150.0);
 }
 
-TEST(UnitTable, refuses_what_it_does_not_know) {
+TEST(UnitTable, rejects_unknown_units) {
   for (const char* name : {"", "furlong", "m m/", "mm//s", "kin", "mft", "degC2", "degC/m", "m 2",
                            "m^", "/s", "2 m", "kkg", "mdeg", "12", "10/s", "m/12", "1.5"})
     EXPECT_FALSE(find_in_table(name)) << name;

@@ -65,7 +65,7 @@ TEST(Units, converts_what_drillers_write) {
   EXPECT_DOUBLE_EQ(to_si("2 1/s", "1/s"), 2);
 }
 
-TEST(Units, knows_the_dimension_of_an_angle) {
+TEST(Units, returns_the_dimension_of_an_angle) {
   EXPECT_DOUBLE_EQ(to_si("1 revolution/s", "rad/s"), 2 * pi);
   EXPECT_DOUBLE_EQ(to_si("360 deg/s", "rad/s"), 2 * pi);
   expect_refusal("2 Hz", "rad/s", {"Hz", "frequency", "angular speed"});
@@ -75,7 +75,7 @@ TEST(Units, knows_the_dimension_of_an_angle) {
   expect_refusal("12 percent", "rad", {"plain number", "angle"});
 }
 
-TEST(Units, refuses_a_wrong_dimension_naming_both) {
+TEST(Units, rejects_a_wrong_dimension_naming_both) {
   expect_refusal("8.5 kg", "m", {"8.5 kg", "mass", "length"});
   expect_refusal("20 klb", "N", {"mass", "force"});
   expect_refusal("3 A", "m", {"dimension A", "length"});
@@ -86,7 +86,7 @@ TEST(Units, refuses_a_wrong_dimension_naming_both) {
   expect_refusal("3 candela mol A kg2/K3", "m", {"is a unit of dimension kg2.A.K-3.mol.cd)"});
 }
 
-TEST(Units, refuses_what_is_not_a_number) {
+TEST(Units, rejects_what_is_not_a_number) {
   expect_refusal("", "m", {"number"});
   expect_refusal("in", "m", {"number"});
   expect_refusal("abc", "m", {"abc", "number"});
@@ -98,7 +98,7 @@ TEST(Units, refuses_what_is_not_a_number) {
 }
 
 /// The library would print its own message as well.
-TEST(Units, refuses_in_its_own_words_alone) {
+TEST(Units, rejects_with_its_own_message_only) {
   testing::internal::CaptureStderr();
   EXPECT_THROW(to_si("1 frobnicate", "m"), UnitError);
   EXPECT_THROW(to_si("1 m)(", "m"), UnitError);
@@ -106,7 +106,7 @@ TEST(Units, refuses_in_its_own_words_alone) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-TEST(Units, refuses_what_is_not_a_unit) {
+TEST(Units, rejects_what_is_not_a_unit) {
   expect_refusal("8.5", "m", {"no unit", "length"});
   expect_refusal("8.5 inn", "m", {"unknown unit inn", "length"});
   expect_refusal("8,5 in", "m", {"second number"});

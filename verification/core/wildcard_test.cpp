@@ -8,7 +8,7 @@
 
 namespace tdbd::wildcard_test {
 
-TEST(Wildcard, stands_for_any_text_or_one_character) {
+TEST(Wildcard, matches_any_text_or_one_character) {
   EXPECT_TRUE(fits("*", ""));
   EXPECT_TRUE(fits("cutter-*/face", "cutter-12/face"));
   EXPECT_TRUE(fits("c?t*e", "cutter-12/face"));

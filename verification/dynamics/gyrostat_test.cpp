@@ -176,7 +176,7 @@ TEST(Composition, has_the_published_numbers_of_stages) {
   EXPECT_EQ(composition(8).size(), 17u);
 }
 
-TEST(Composition, refuses_other_orders) {
+TEST(Composition, rejects_other_orders) {
   for (const int order : {0, 1, 3, 5, 10}) EXPECT_THROW(composition(order), RunError) << order;
 }
 

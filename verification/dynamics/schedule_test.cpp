@@ -11,7 +11,7 @@
 
 namespace tdbd::dynamics::schedule_test {
 
-TEST(Schedule, empty_is_zero_and_a_constant_holds_for_ever) {
+TEST(Schedule, empty_is_zero_and_a_constant_has_no_end) {
   EXPECT_EQ(value_at({}, 3.0), 0.0);
   EXPECT_EQ(integral_to({}, 3.0), 0.0);
   const Schedule c = constant(4.0);
@@ -55,7 +55,7 @@ RC_GTEST_PROP(Schedule, integral_is_that_of_the_values, ()) {
   RC_ASSERT(std::abs(integral_to(s, end) - sum) <= missed + 1e-12 * 25.0);
 }
 
-TEST(Schedule, refuses_what_is_none) {
+TEST(Schedule, rejects_what_is_no_schedule) {
   const auto reason = [](std::vector<double> t, std::vector<double> v) {
     return schedule_problem(t, v);
   };

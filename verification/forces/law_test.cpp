@@ -188,7 +188,7 @@ TEST(LawFields, reach_every_coefficient_by_name_unit_and_range) {
 }
 
 /// What a law starts with is what its table promises, lies in its range, and no key comes twice.
-TEST(LawFields, of_a_new_law_hold_their_fallbacks) {
+TEST(LawFields, of_a_new_law_have_their_defaults) {
   for (const std::string_view name : law_names()) {
     Law law = law_named(name);
     EXPECT_EQ(law_name(law), name);

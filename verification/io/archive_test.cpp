@@ -72,7 +72,7 @@ RC_GTEST_PROP(Archive, reads_back_what_was_written, ()) {
 }
 
 /// Torn anywhere, with sizes and all else as they were.
-RC_GTEST_PROP(Archive, that_ends_too_early_is_refused, ()) {
+RC_GTEST_PROP(Archive, that_ends_too_early_is_rejected, ()) {
   const Archive archive = archive_of(any_outer());
   const auto kept = *rc::gen::inRange<std::size_t>(0, archive.bytes.size());
   Outer y;
@@ -81,7 +81,7 @@ RC_GTEST_PROP(Archive, that_ends_too_early_is_refused, ()) {
 }
 
 /// Any bytes: they are read or refused, and take no more memory than they could describe.
-RC_GTEST_PROP(Archive, of_any_bytes_is_read_or_refused, (const std::string& bytes)) {
+RC_GTEST_PROP(Archive, of_any_bytes_is_read_or_rejected, (const std::string& bytes)) {
   Outer y;
   ArchiveReader read(bytes);
   try {
@@ -92,7 +92,7 @@ RC_GTEST_PROP(Archive, of_any_bytes_is_read_or_refused, (const std::string& byte
   RC_ASSERT(y.inner.size() + y.lists.size() <= bytes.size());
 }
 
-TEST(Archive, of_other_types_is_refused) {
+TEST(Archive, of_other_types_is_rejected) {
   ArchiveWriter write;
   write(1.0, 2L);
   const Archive archive = std::move(write).archive();

@@ -55,7 +55,7 @@ RC_GTEST_PROP(CheckpointFile, reads_back_what_was_written, ()) {
 }
 
 /// Cut off anywhere.
-RC_GTEST_PROP(CheckpointFile, is_refused_where_it_is_torn, ()) {
+RC_GTEST_PROP(CheckpointFile, is_rejected_where_it_is_torn, ()) {
   const fs::path path = test_folder() / "checkpoint.bin";
   const auto file = any_file();
   write_checkpoint_file(path, file);
@@ -66,7 +66,7 @@ RC_GTEST_PROP(CheckpointFile, is_refused_where_it_is_torn, ()) {
 }
 
 /// One byte changed anywhere.
-RC_GTEST_PROP(CheckpointFile, is_refused_where_it_was_changed, ()) {
+RC_GTEST_PROP(CheckpointFile, is_rejected_where_it_was_changed, ()) {
   const fs::path path = test_folder() / "checkpoint.bin";
   const auto file = any_file();
   write_checkpoint_file(path, file);
@@ -222,7 +222,7 @@ TEST(CheckpointKeeper, keeps_the_last_two_and_removes_all) {
   EXPECT_TRUE(fs::is_empty(folder.path));
 }
 
-TEST(CheckpointKeeper, goes_on_after_the_rows_that_it_is_told_of) {
+TEST(CheckpointKeeper, continues_after_the_rows_of_the_checkpoint) {
   const OutputFolder folder{test_folder()};
   {
     CheckpointKeeper keeper(folder, 1, {});

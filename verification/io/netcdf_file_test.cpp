@@ -39,7 +39,7 @@ TEST(NetcdfFile, reads_back_what_was_written) {
   EXPECT_EQ(nc.wholes("kind", 2), (std::vector{7, 8}));
 }
 
-TEST(NetcdfFile, refuses_what_is_not_there) {
+TEST(NetcdfFile, rejects_what_is_not_there) {
   const fs::path path = written_file();
   const NetcdfFile nc(path, NetcdfFile::Use::read);
   EXPECT_THROW(nc.text("name"), RunError);
@@ -65,7 +65,7 @@ namespace tdbd::plain_path_test {
 
 namespace fs = std::filesystem;
 
-TEST(DescriptorPath, names_the_same_file_without_what_stands_in_its_folders_names) {
+TEST(DescriptorPath, names_the_same_file_independently_of_folder_names) {
   for (const std::string name : {" ", "a\\b", "http:", "#mode=bytes"}) {
     const fs::path folder = tdbd::temporary_folder() + "tdbd_plain/" + name;
     fs::create_directories(folder);

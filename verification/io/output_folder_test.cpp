@@ -69,7 +69,7 @@ TEST(OutputFolder, that_is_empty_is_taken) {
   EXPECT_EQ(refusal(path), "not refused");
 }
 
-TEST(OutputFolder, whose_frames_are_a_file_is_refused) {
+TEST(OutputFolder, whose_frames_are_a_file_is_rejected) {
   const fs::path path = nothing_at("frames");
   fs::create_directories(path);
   write(path / "frames", "notes");
@@ -129,7 +129,7 @@ TEST(OutputFolder, of_a_bit_that_a_user_wrote_is_kept) {
   EXPECT_TRUE(fs::exists(path / "bit.stl"));
 }
 
-TEST(OutputFolder, that_another_command_writes_to_is_refused) {
+TEST(OutputFolder, that_another_command_writes_to_is_rejected) {
   const fs::path path = nothing_at("shared");
   const std::string in_use =
       "in use: another command writes to it; wait until it ends or choose another folder";
@@ -163,7 +163,7 @@ TEST(OutputFolder, that_was_made_for_nothing_goes_again) {
   EXPECT_TRUE(fs::exists(path / "a" / "b" / "notes.txt"));
 }
 
-TEST(OutputFolder, that_is_a_file_or_cannot_be_made_is_refused) {
+TEST(OutputFolder, that_is_a_file_or_cannot_be_made_is_rejected) {
   const fs::path file = nothing_at("file");
   write(file, "x");
   EXPECT_EQ(refusal(file, Overwrite::force), "is a file");
@@ -193,7 +193,7 @@ TEST(FolderLock, holds_a_folder_for_one_at_a_time) {
 }
 
 /// A refusal keeps no file open.
-TEST(FolderLock, that_is_refused_leaves_nothing_open) {
+TEST(FolderLock, that_is_rejected_leaves_nothing_open) {
   const auto open_files = [] {
     return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
   };
@@ -223,7 +223,7 @@ TEST(FolderLock, leaves_no_file_and_ends_with_a_killed_process) {
 }
 
 /// On a network's file system that has no locks. Runs go there too: without a lock is better than not at all.
-TEST(FolderLock, is_not_asked_for_where_a_file_system_has_none) {
+TEST(FolderLock, is_skipped_where_the_file_system_has_no_locks) {
   const fs::path folder = some_folder("without");
   const auto goes = battery::in_a_process([&]() -> std::optional<bool> {
     if (!battery::refuse_call(__NR_flock, ENOLCK)) return std::nullopt;

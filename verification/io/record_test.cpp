@@ -24,7 +24,7 @@ void append(RowLog& log, const Rows& rows) {
 }
 
 /// Rows after a checkpoint are made again; what a kill left of one is overwritten.
-TEST(RowLog, goes_on_after_the_rows_that_are_kept) {
+TEST(RowLog, continues_after_the_rows_that_are_kept) {
   const auto path = test_folder() / "history.rows";
   RowLog first(path, 2, 0);
   append(first, {{1, 2}, {3, 4}, {5, 6}});
@@ -39,14 +39,14 @@ TEST(RowLog, goes_on_after_the_rows_that_are_kept) {
   EXPECT_EQ(replayed(third), (Rows{{1, 2}, {3, 4}, {7, 8}}));
 }
 
-TEST(RowLog, begins_anew_with_no_rows) {
+TEST(RowLog, restarts_with_no_rows) {
   const auto path = test_folder() / "history.rows";
   std::ofstream(path) << "what was there";
   RowLog log(path, 3, 0);
   EXPECT_TRUE(replayed(log).empty());
 }
 
-TEST(RowLog, refuses_to_keep_rows_that_are_not_there) {
+TEST(RowLog, rejects_to_keep_rows_that_are_not_there) {
   const auto path = test_folder() / "history.rows";
   {
     RowLog log(path, 2, 0);

@@ -57,14 +57,14 @@ TEST(AtomicFile, without_commit_leaves_what_was_there) {
 }
 
 /// Longer first: nothing of an older partial file stays.
-TEST(AtomicFile, begins_an_older_partial_file_anew) {
+TEST(AtomicFile, overwrites_an_older_partial_file) {
   const fs::path path = some_file("anew");
   write_text(partial_path(path), "of a run that was killed");
   write_text(path, "short");
   EXPECT_EQ(read_file(path, "a file"), "short");
 }
 
-TEST(AtomicFile, says_which_file_and_why) {
+TEST(AtomicFile, reports_which_file_and_why) {
   const fs::path path = "/proc/no/such.csv";
   EXPECT_EQ(message_of([&] { AtomicFile file(path); }),
             "cannot write /proc/no/such.csv: No such file or directory");
@@ -107,7 +107,7 @@ TEST(AtomicFile, that_is_committed_touches_nothing_more) {
 }
 
 /// As on full disks and over networks: the message is that of the first call that fails.
-TEST(AtomicFile, tells_why_it_did_not_come_to_the_disk) {
+TEST(AtomicFile, reports_why_it_was_not_written) {
   const fs::path path = some_file("lost");
   write_text(path, "bytes");
   const std::string told = "cannot write " + path.string() + ": ";
@@ -157,7 +157,7 @@ RC_GTEST_PROP(Seal, lets_pass_what_was_sealed, (const std::string& bytes)) {
   RC_ASSERT(read_file(path, "a file").starts_with(bytes));
 }
 
-RC_GTEST_PROP(Seal, refuses_any_change_of_a_byte, (const std::string& bytes)) {
+RC_GTEST_PROP(Seal, rejects_any_change_of_a_byte, (const std::string& bytes)) {
   const fs::path path = write_temporary(".bin", bytes);
   seal_file(path);
   std::string changed = read_file(path, "a file");
@@ -167,14 +167,14 @@ RC_GTEST_PROP(Seal, refuses_any_change_of_a_byte, (const std::string& bytes)) {
   RC_ASSERT_THROWS_AS(require_seal(path), RunError);
 }
 
-RC_GTEST_PROP(Seal, refuses_what_is_torn, (const std::string& bytes)) {
+RC_GTEST_PROP(Seal, rejects_what_is_torn, (const std::string& bytes)) {
   const fs::path path = write_temporary(".bin", bytes);
   seal_file(path);
   fs::resize_file(path, *rc::gen::inRange<std::uintmax_t>(0, fs::file_size(path)));
   RC_ASSERT_THROWS_AS(require_seal(path), RunError);
 }
 
-TEST(Seal, of_a_file_that_is_not_there_is_refused) {
+TEST(Seal, of_a_file_that_is_not_there_is_rejected) {
   EXPECT_THROW(require_seal("/no/such/file"), RunError);
   EXPECT_THROW(seal_file("/no/such/file"), RunError);
 }

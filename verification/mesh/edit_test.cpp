@@ -154,7 +154,7 @@ RC_GTEST_PROP(CollapseKeepsTopology, is_right_about_every_edge, ()) {
   RC_TAG(allowed > 0 ? "some allowed" : "none allowed");
 }
 
-TEST(CollapseKeepsTopology, refuses_a_boundary_edge_and_a_boundary_vertex_that_would_go) {
+TEST(CollapseKeepsTopology, rejects_a_boundary_edge_and_a_boundary_vertex_that_would_go) {
   const Surface s = make_surface(battery::bumpy_rock(1.0, 2, 0.0, 3));
   for (int c = 0; c < 3 * s.triangle_slots(); ++c)
     if (s.opposite_of(c) < 0 || s.is_boundary(s.vertex(previous_corner(c)))) {
@@ -211,7 +211,7 @@ RC_GTEST_PROP(FlipEdge, four_times_gives_the_same_triangles, ()) {
   }
 }
 
-TEST(FlipKeepsTopology, refuses_a_boundary_edge) {
+TEST(FlipKeepsTopology, rejects_a_boundary_edge) {
   const Surface s = make_surface(battery::bumpy_rock(1.0, 2, 0.0, 3));
   for (int c = 0; c < 3 * s.triangle_slots(); ++c)
     if (s.opposite_of(c) < 0) {

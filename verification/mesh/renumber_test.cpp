@@ -85,7 +85,7 @@ RC_GTEST_PROP(Renumbering, makes_what_make_surface_builds_of_the_triangles, ()) 
   }
 }
 
-RC_GTEST_PROP(Renumbering, forgets_the_numbers_before_it, ()) {
+RC_GTEST_PROP(Renumbering, drops_the_previous_numbers, ()) {
   Surface s = edited_surface(), shuffled = s;
   RenumberScratch room;
   const std::vector<int> order = any_order(s);

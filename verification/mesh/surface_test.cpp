@@ -70,7 +70,7 @@ RC_GTEST_PROP(Surface, visit_corners_meets_every_corner_of_a_vertex_once, ()) {
   for (const int n : visits) RC_ASSERT(n == 1);
 }
 
-TEST(Surface, refuses_an_edge_of_three_triangles_and_names_it) {
+TEST(Surface, rejects_an_edge_of_three_triangles_and_names_it) {
   const TriangleMesh m{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
                        {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
   try {
@@ -84,7 +84,7 @@ TEST(Surface, refuses_an_edge_of_three_triangles_and_names_it) {
   }
 }
 
-TEST(Surface, refuses_a_flipped_triangle_and_names_its_edge) {
+TEST(Surface, rejects_a_flipped_triangle_and_names_its_edge) {
   TriangleMesh m = square_sheet(2);
   std::swap(m.triangles[3][0], m.triangles[3][1]);
   try {

@@ -58,11 +58,11 @@ class Interrupts(FolderTest):
         self.same_files(whole.folder, self.folder / "part")
         self.assertEqual(tdbd.resume(self.folder / "part").summary["status"], "completed")
 
-    def test_a_run_goes_on(self):
+    def test_a_run_is_resumed(self):
         self.goes_on(tdbd.case(DRILLING, set=COARSE | {"time.revolutions": 20}), tdbd.run)
         self.assertRaises(tdbd.CaseError, tdbd.resume, self.folder / "nowhere")
 
-    def test_a_rotation_goes_on(self):
+    def test_a_rotation_is_resumed(self):
         self.goes_on(tdbd.case(TOP, time__duration="1e5 s"), tdbd.rotate)
 
 

@@ -53,7 +53,7 @@ class Threads(FolderTest):
         self.assertRaises(InterruptedError, first.result, 60)
         self.assertEqual(tdbd.load(self.folder / "a").summary["status"], "interrupted")
 
-    def test_python_goes_on_meanwhile(self):
+    def test_python_threads_run_meanwhile(self):
         """A thread that only counts gets its share of the time while another one steps."""
         sim = tdbd.Simulation(tdbd.case(DRILLING, set=COARSE | {"rock.edge_length": "4 mm", "time.revolutions": 10}))
         stepping = threading.Thread(target=sim.step, args=(10**6,))

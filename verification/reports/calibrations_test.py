@@ -89,7 +89,7 @@ class Made(unittest.TestCase):
         for arguments in ((), ("--check",)):
             self.make("thesis_index.toml: figure 6.1: there is no counterpart chapter6 other", arguments=arguments)
 
-    def test_knows_every_file_behind_a_set(self):
+    def test_finds_every_file_behind_a_set(self):
         for made, file in ((CHAPTER_6, "blind/blind.py"), (CHAPTER_6, "chapter6/records.csv"), (CHAPTER_6, "cases/lab-bc-a.toml"),
                            (CHAPTER_6, "cases/laboratory.toml"), (MEASURED, "split.toml"), (MEASURED, "records/single-cutters.csv")):
             with self.subTest(file):

@@ -88,7 +88,7 @@ class Shipped(unittest.TestCase):
 
 
 class Drawn(unittest.TestCase):
-    def test_a_folder_stands_above_those_that_it_includes(self):
+    def test_a_folder_is_listed_above_those_that_it_includes(self):
         read = {p: types.SimpleNamespace(included=i) for p, i in
                 {"a/low/x.hpp": (), "a/high/y.hpp": ("a/low/x.hpp", "a/mid/z.hpp"), "a/mid/z.hpp": ("a/low/x.hpp",)}.items()}
         order, used = class_diagram.folders(read)

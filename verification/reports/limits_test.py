@@ -70,7 +70,7 @@ class Missed(unittest.TestCase):
             self.assert_missed(measured(value, limit))
             self.assert_missed(measured(value, limit, verdict="holds with limits"))
 
-    def test_what_says_that_it_misses_may_hold_with_limits(self):
+    def test_a_recorded_miss_may_pass_within_its_limits(self):
         found = measured(1.4, "1 +- 0.1 is missed: it sleeps", verdict="holds with limits")
         self.assertEqual(evidence.missed_limits([found]), [])
         self.assert_missed(measured(1.4, "1 +- 0.1 is missed: it sleeps"))

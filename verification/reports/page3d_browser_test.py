@@ -220,7 +220,7 @@ class Page(unittest.TestCase):
 
 
 class WithoutWebGL(unittest.TestCase):
-    def test_says_so_and_shows_the_end_as_a_picture(self):
+    def test_reports_it_and_shows_the_end_as_a_picture(self):
         with tempfile.TemporaryDirectory() as made, browser.Browser(browser.WITHOUT_WEBGL) as window:
             made = pathlib.Path(made)
             subprocess.run([PROGRAM, "run", ROOT / "cases/bit-b-steady.toml", "-o", made, "--quiet", *(w for s in SETTINGS for w in ("--set", s))], check=True)

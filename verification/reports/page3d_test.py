@@ -80,7 +80,7 @@ class Pages(unittest.TestCase):
         self.assertEqual(len(page3d_data.header(page)["frames"]), 25)
         self.assertLess(len(page.encode()), MOST_BYTES)
 
-    def test_holds_every_frame_within_half_a_step_and_its_triangles_exactly(self):
+    def test_contains_every_frame_within_half_a_step_and_its_triangles_exactly(self):
         for name in ("b", "r"):
             page = self.page(name)
             head, (frames, _) = page3d_data.header(page), page3d_data.frames(page)
@@ -142,7 +142,7 @@ class Pages(unittest.TestCase):
         self.assertIn("default-src 'none'", page)
         balance.check(page)
 
-    def test_tells_weight_torque_rate_and_diagnosis(self):
+    def test_shows_weight_torque_rate_and_diagnosis(self):
         page = self.page("forces")
         summary = page3d_data.json.loads((self.folder / "forces/summary.json").read_text())
         self.assertEqual([t["name"] for t in page3d_data.header(page)["traces"]],
@@ -183,7 +183,7 @@ class Pages(unittest.TestCase):
         self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
         self.assertFalse((folder / "result.html").exists())
 
-    def test_other_folders_are_refused(self):
+    def test_other_folders_are_rejected(self):
         (self.folder / "empty").mkdir()
         for name in ("nowhere", "empty"):
             self.refused(self.folder / name, "found no summary.json, expected the result folder of `tdbd run`")

@@ -13,7 +13,7 @@ from readme_rows import ROWS, Kept, Measured, Row  # noqa: E402
 
 
 class Shipped(unittest.TestCase):
-    def test_says_what_was_measured(self):
+    def test_states_what_was_measured(self):
         self.assertTrue(readme.has_block(ROOT))
         self.assertEqual(readme.problems(ROOT), [])
 

@@ -150,7 +150,7 @@ class Report(OfOneProject):
         self.project.measure({"claim": "chapter5/order", "program": "verify"}, "third")
         self.assert_stale("third.json", "missing")
 
-    def test_the_page_says_what_the_files_say(self):
+    def test_the_page_agrees_with_the_files(self):
         page = (self.project.out / "index.html").read_text().replace("<wbr>", "")  # where a line may break
         self.assertRegex(page, 'title="2.001234567890123[0-9]"')  # every digit, on hover
         for words in ("Second &lt;order&gt;", "order of the attitude", "2.001", "2 +- 0.003", "Order.is_two",

@@ -55,7 +55,7 @@ class Made(unittest.TestCase):
     def test_what_the_data_say_is_right(self):
         self.assertEqual(stated.problems(self.root), [])
 
-    def test_an_edited_number_is_named_with_its_line_and_written_anew(self):
+    def test_an_edited_number_is_named_with_its_line_and_rewritten(self):
         self.write(TEXT.replace("7 % of", "6 % of"))
         self.assertRegex(self.problem(), r"studies/snail/README.md, line 7: found 6 in .*, the data give 7; run scripts/report --readme")
         self.assertEqual(stated.write(self.root), [])

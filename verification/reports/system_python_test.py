@@ -29,13 +29,13 @@ class SystemPython(unittest.TestCase):
             done = call([*BARE, script(folder, '"numpy"'), "a b", "-o", "c"])
             self.assertEqual((done.returncode, done.stdout), (0, "ran ['a b', '-o', 'c']\n"), done.stderr)
 
-    def test_says_what_is_missing_where_no_python_has_it(self):
+    def test_reports_what_no_python_has(self):
         with tempfile.TemporaryDirectory() as folder:
             done = call([*BARE, script(folder, '"numpy", "no_such_module"')])
             self.assertEqual(done.returncode, 1)
             self.assertIn("found a python without no_such_module", done.stderr)
 
-    def test_every_script_that_is_a_command_asks(self):
+    def test_every_command_script_checks_its_modules(self):
         for path in sorted((ROOT / "reports").glob("*.py")):
             text = path.read_text(encoding="utf-8")
             if os.access(path, os.X_OK) and ("numpy" in text or "matplotlib" in text or "figures" in text):

@@ -115,7 +115,7 @@ class Shown(unittest.TestCase):
 class Contents(unittest.TestCase):
     """The page's table of contents."""
 
-    def test_every_figure_and_claim_of_the_report_stands_once(self):
+    def test_every_figure_and_claim_appears_once_in_the_report(self):
         whole = manifests.read(ROOT / "reports")
         chapters = page.chapters(whole)
         self.assertEqual(sorted(f.name for c in chapters for f in c.figures), sorted(f.name for f in whole.figures))

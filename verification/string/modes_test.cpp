@@ -296,7 +296,7 @@ TEST(NodeFlow, steady_sliding_is_a_fixed_point) {
   }
 }
 
-TEST(NodeFlow, friction_at_rest_holds_exactly_and_lets_go_beyond) {
+TEST(NodeFlow, static_friction_is_exact_and_ends_beyond_its_bound) {
   Node n{{3.0, 1.0}, {0.2, 0.1}, {1.2, 1.59}, {2.0, 1.0, 0.0}};
   EXPECT_EQ(size_of(flow(n, 1e-3, {})), 0.0);
   n.force.around = 1.61;

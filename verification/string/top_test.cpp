@@ -73,7 +73,7 @@ TEST(Top, a_chain_below_a_soft_torque_reflects_as_the_closed_form) {
 }
 
 /// The flow of a limited drive: the torque never exceeds its limit, and the set angle stands still.
-TEST(Top, a_torque_limit_bounds_the_motor_and_holds_the_set_angle) {
+TEST(Top, a_torque_limit_bounds_the_motor_and_keeps_the_set_angle) {
   Top top = soft_top();
   top.torque_limit = 5e3;
   const TopFlow free = flow_top(soft_top(), 1e-3, 2.0, 6.0, 3.0, -1e3, 10.0, 2900.0);

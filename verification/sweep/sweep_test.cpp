@@ -179,7 +179,7 @@ TEST(Sweep, shards_that_end_together_all_write_the_table) {
 }
 
 /// What is done is done: nothing is run again, of a larger design only what is new.
-TEST(Sweep, goes_on_with_what_is_there) {
+TEST(Sweep, continues_with_existing_points) {
   const fs::path folder = empty_folder("again");
   swept(design_from(folder, small_top()), folder / "t.nc");
   const SweepResult again = swept(design_from(folder, small_top()), folder / "t.nc");
@@ -192,7 +192,7 @@ TEST(Sweep, goes_on_with_what_is_there) {
 }
 
 /// A case or bit that changed makes all points new.
-TEST(Sweep, knows_the_content_of_its_files) {
+TEST(Sweep, detects_changed_files) {
   const fs::path folder = empty_folder("content");
   const fs::path own = folder / "top.toml";
   fs::copy_file(TDBD_SOURCE_DIR "/cases/slow-top.toml", own);
@@ -205,7 +205,7 @@ TEST(Sweep, knows_the_content_of_its_files) {
 }
 
 /// A file that only the second level of a factor names, whichever factor that is.
-TEST(Sweep, knows_the_content_of_files_that_any_factor_names) {
+TEST(Sweep, detects_changed_files_of_every_factor) {
   const fs::path folder = empty_folder("factor_content");
   const std::string shipped = TDBD_SOURCE_DIR "/cases/bits/bit-a.toml";
   const fs::path own = folder / "own.toml";
@@ -223,7 +223,7 @@ TEST(Sweep, knows_the_content_of_files_that_any_factor_names) {
   }
 }
 
-TEST(Sweep, goes_on_where_the_first_point_fails) {
+TEST(Sweep, continues_if_the_first_point_fails) {
   const fs::path folder = empty_folder("first_fails");
   const Design d = design_from(
       folder, small_hole("[[factors]]\nkey = \"time.step\"\nvalues = [\"1 s\", \"1 ms\"]\n"));
@@ -231,7 +231,7 @@ TEST(Sweep, goes_on_where_the_first_point_fails) {
 }
 
 /// The filter's points are judged in silence: what is counted are those that are run.
-TEST(Sweep, tells_its_progress_in_points_that_are_run) {
+TEST(Sweep, reports_progress_in_points_that_are_run) {
   const fs::path folder = empty_folder("progress");
   const Design d =
       design_from(folder, small_hole("[[factors]]\nkey = \"bit.set.adjust.blade.2.azimuth\"\n"
@@ -276,7 +276,7 @@ TEST(Sweep, fails_with_the_same_words_in_any_folder) {
 }
 
 /// A design that no point can obey is refused before anything is written.
-TEST(Sweep, refuses_a_key_or_figure_that_the_case_does_not_have) {
+TEST(Sweep, rejects_a_key_or_figure_that_the_case_does_not_have) {
   const fs::path folder = empty_folder("refuses");
   const auto message_of = [&](const std::string& text) -> std::string {
     try {
@@ -347,7 +347,7 @@ TEST(Sweep, gives_up_a_long_point_when_interrupted) {
   EXPECT_TRUE(read_journals(points_folder(folder / "t.nc")).empty());
 }
 
-TEST(Sweep, goes_to_its_end_where_nobody_interrupts) {
+TEST(Sweep, runs_to_its_end_without_an_interrupt) {
   const fs::path folder = empty_folder("not_interrupted");
   const std::atomic<bool> stop = false;
   SweepOptions options{folder / "t.nc", {}, 1};

@@ -53,7 +53,7 @@ class Cases(unittest.TestCase):
                 self.assertLess(max(apart.values()), AGREE)
                 self.assertGreater(volumes.max(), 1e-8)
 
-    def test_says_what_is_wrong_as_the_command_line_does(self):
+    def test_reports_mistakes_as_the_command_line_does(self):
         for right, (wrong, words) in REFUSED.items():
             with self.subTest(wrong):
                 text = built.shortened(ROOT, "bit-b-steady")

@@ -114,7 +114,7 @@ class Page(Driven):
                 self.browser.drawn()
                 self.seen(f"bit-{bit}")
 
-    def test_pauses_and_goes_on(self):
+    def test_pauses_and_continues(self):
         self.value("place('pause').click()")
         self.until("live.state === 'paused'")
         stood = self.value("live.last.time_s")
@@ -134,7 +134,7 @@ class Page(Driven):
         cutters = len([row for row in text.splitlines()[1:] if row.strip()])
         self.assertEqual(self.value("live.facts.parts.filter(p => p.kind === 'face').length"), cutters)
 
-    def test_says_what_is_wrong_with_a_table(self):
+    def test_reports_mistakes_in_a_table(self):
         text = (ROOT / "cases/bits/bit-c.csv").read_text(encoding="utf-8")
         for name, wrong, words in (("column.csv", text.replace("back_rake_deg", "back_rake_grad"), ("column.csv", "back_rake_grad")),
                                    ("cell.csv", text.replace("13.44", "thirteen", 1), ("cell.csv:2", "thirteen")), ("empty.csv", "", ("empty.csv", "no cutter"))):
@@ -148,7 +148,7 @@ class Page(Driven):
         self.drill(bit_choice="b")
         self.assertTrue(self.value("place('problem').hidden"))
 
-    def test_says_what_is_wrong_with_a_number(self):
+    def test_reports_mistakes_in_a_number(self):
         for values, words in (({"speed": ""}, ("rotary_speed",)), ({"edge": "-1"}, ("edge_length", "-1 mm")), ({"rate": "1e9"}, ("step",))):
             with self.subTest(values):
                 self.choose(**{"speed": 120, "edge": 5, "rate": 15, **values})

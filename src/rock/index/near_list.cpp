@@ -152,7 +152,7 @@ TDBD_WIDE std::size_t copy_chains(const VertexGrid& grid, const SingleSlabs& sla
   return end;
 }
 
-void make_anew(const VertexGrid& grid, NearList& list) {
+void make_from_scratch(const VertexGrid& grid, NearList& list) {
   const Vec3 centre_W = slab_box(list.region_W.slabs).centre_W;
   std::array<Single, 3> origin_W{};
   for (int k = 0; k < 3; ++k) {
@@ -254,7 +254,7 @@ void update_near_list(const VertexGrid& grid, const GroupStep& step, const NearL
   list.window = std::min(list.window + 1, most_steps);
   list.region_W = region_ahead(step, margins, list.window);
   list.remaining_travel = (list.window - 1) * way;
-  make_anew(grid, list);
+  make_from_scratch(grid, list);
 }
 
 void note_changes(NearList& list, const VertexChanges& changes) { apply(changes, 0, list); }

@@ -227,7 +227,7 @@ TEST(BitAreas, leave_what_does_not_cut_from_the_start_out_of_the_analysis) {
       << areas_report(bit);
 }
 
-TEST(BitAreas, that_turn_off_every_part_are_refused) {
+TEST(BitAreas, that_turn_off_every_part_are_rejected) {
   EXPECT_EQ(complaint(bit_b, {"all.names='*'", "all.removal.cutting=no"}),
             bit_b + ":1: areas: found no part that cuts, expected at least one");
 }

@@ -149,7 +149,7 @@ std::string complaint(const std::vector<ConeLayout>& cones, double gage) {
   return "";
 }
 
-TEST(ConeBit, refuses_what_cannot_reach_its_gage) {
+TEST(ConeBit, rejects_what_cannot_reach_its_gage) {
   ConeLayout c = toothed_symmetric();
   EXPECT_EQ(complaint({c}, 0.1), "");
   EXPECT_NE(complaint({c}, 0.02).find("cone-1: offset: found no place along the journal"),
@@ -160,7 +160,7 @@ TEST(ConeBit, refuses_what_cannot_reach_its_gage) {
   EXPECT_NE(complaint({}, 0.1).find("found no tooth"), std::string::npos);
 }
 
-TEST(ConeBit, refuses_a_body_beyond_its_teeth) {
+TEST(ConeBit, rejects_a_body_beyond_its_teeth) {
   ConeLayout c = toothed_symmetric();
   c.shell.back() = {0.12, 0.06};
   c.rows.pop_back();
@@ -187,7 +187,7 @@ TEST(ConeBit, computes_gap_and_overlap_of_two_cones) {
   EXPECT_LE(std::abs(c.place_B.x()), 0.003 + 1e-9);
 }
 
-TEST(ConeBit, refuses_two_cones_in_one_place) {
+TEST(ConeBit, rejects_two_cones_in_one_place) {
   ConeLayout a;
   a.shell = {{0.01, 0.0}, {0.05, 0.02}};
   const std::vector<Cone> cones{{"cone-1", a, cone_pose(a, 0)}, {"cone-2", a, cone_pose(a, 0)}};

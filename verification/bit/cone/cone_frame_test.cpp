@@ -198,7 +198,7 @@ double beyond(const std::vector<ProfilePoint>& profile, const Vec3& x_B) {
 }
 
 /// No cutting part of a cone that turns comes out of the profile, and one comes to its end.
-RC_GTEST_PROP(SweptParts, the_profile_holds_every_cutting_part_at_every_angle, ()) {
+RC_GTEST_PROP(SweptParts, the_profile_contains_every_cutting_part_at_every_angle, ()) {
   const Bit bit = any_cone_bit();
   constexpr double spacing = 2e-4, slack = 3.7e-4;  // m: corners that rays and points cut off
   const auto profile = exposure_profile(swept_parts(bit, segments), spacing);

@@ -59,7 +59,7 @@ RC_GTEST_PROP(CutterParts, have_the_volume_of_polygon_prisms_and_frusta, ()) {
   RC_ASSERT(has_volume(parts.back(), frustum_volume(n, outer, outer, c.length - f)));
 }
 
-RC_GTEST_PROP(CutterParts, hold_the_tip_and_nothing_beyond_it, ()) {
+RC_GTEST_PROP(CutterParts, contain_the_tip_and_nothing_beyond_it, ()) {
   Cutter c = any_cutter();
   c.side_rake = 0.0;
   c.back_rake = std::abs(c.back_rake);

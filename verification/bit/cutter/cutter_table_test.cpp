@@ -140,7 +140,7 @@ TEST_F(CutterTable, rejects_half_numbers) {
             ":2: dia_mm: found '', expected a number");
 }
 
-TEST_F(CutterTable, must_hold_a_cutter) {
+TEST_F(CutterTable, must_contain_a_cutter) {
   const char* expected = ":1: table: found no cutter, expected a header and at least one cutter";
   EXPECT_EQ(mistakes(""), expected);
   EXPECT_EQ(mistakes(header), expected);

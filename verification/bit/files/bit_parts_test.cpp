@@ -107,35 +107,35 @@ TEST(BitParts, reports_a_part_without_a_file_once) {
   EXPECT_EQ(message.find("parts[0]", first + 1), std::string::npos) << message;
 }
 
-TEST(BitParts, refuses_what_is_no_mesh) {
+TEST(BitParts, rejects_what_is_no_mesh) {
   const fs::path folder = test_folder();
   const std::string file = write_one_part_bit(folder, box, "kind = \"tooth\"\n");
   write_file(folder / "part.ply", "this is no mesh");
   expect_words(complaint(file), {"bit.toml:4: parts[0].file:", "part.ply", "closed mesh"});
 }
 
-TEST(BitParts, refuses_a_hole) {
+TEST(BitParts, rejects_a_hole) {
   mesh::TriangleMesh open = box;
   open.triangles.pop_back();
   expect_words(complaint(write_one_part_bit(test_folder(), open, "kind = \"tooth\"\n")),
                {"bit.toml:4: parts[0].file:", "part.ply", "hole"});
 }
 
-TEST(BitParts, refuses_a_flipped_facet) {
+TEST(BitParts, rejects_a_flipped_facet) {
   mesh::TriangleMesh flipped = box;
   std::swap(flipped.triangles[3][0], flipped.triangles[3][1]);
   expect_words(complaint(write_one_part_bit(test_folder(), flipped, "kind = \"tooth\"\n")),
                {"bit.toml:4: parts[0].file:", "part.ply", "flipped triangle"});
 }
 
-TEST(BitParts, refuses_a_mesh_that_is_inside_out) {
+TEST(BitParts, rejects_a_mesh_that_is_inside_out) {
   mesh::TriangleMesh inverted = box;
   for (mesh::Triangle& t : inverted.triangles) std::swap(t[0], t[1]);
   expect_words(complaint(write_one_part_bit(test_folder(), inverted, "kind = \"tooth\"\n")),
                {"bit.toml:4: parts[0].file:", "inside out"});
 }
 
-TEST(BitParts, refuses_an_edge_of_four_facets) {
+TEST(BitParts, rejects_an_edge_of_four_facets) {
   mesh::TriangleMesh twice = box;
   twice.triangles.insert(twice.triangles.end(), box.triangles.begin(), box.triangles.end());
   expect_words(complaint(write_one_part_bit(test_folder(), twice, "kind = \"tooth\"\n")),

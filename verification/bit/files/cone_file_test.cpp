@@ -177,7 +177,7 @@ TEST(ConeFile, names_impossible_legs_at_their_line) {
 }
 
 /// A tooth that stands out of the cone's base meets the leg, unless that is only to be reported.
-TEST(ConeFile, refuses_a_leg_that_meets_a_cone) {
+TEST(ConeFile, rejects_a_leg_that_meets_a_cone) {
   const std::string meets =
       with_shank + "[legs]\nwidth = \"40 mm\"\n" + cone + gage_rows +
       "[[cones.rows]]\ns = \"62 mm\"\nteeth = 4\nfirst_angle = \"22.5 deg\"\ndiameter = \"6 mm\"\n"
@@ -260,7 +260,7 @@ TEST(ConeFile, names_what_is_impossible_at_its_line) {
 }
 
 /// Cones that overlap are named at the row or shell of the first, unless that is only to be reported.
-TEST(ConeFile, refuses_cones_that_overlap) {
+TEST(ConeFile, rejects_cones_that_overlap) {
   const std::string two =
       "[journal]\nangle = \"36 deg\"\n" + cone + row +
       "[[cones.rows]]\ns = \"30 mm\"\nteeth = 4\n[[cones]]\nazimuth = \"80 deg\"\n" + shell + row;

@@ -96,7 +96,7 @@ TEST(DesignFile, names_key_value_and_place_of_what_is_impossible) {
             "table: found design as well, expected one of the two");
 }
 
-TEST(DesignFile, refuses_a_key_that_means_nothing) {
+TEST(DesignFile, rejects_a_key_without_effect) {
   const std::string message = message_after("spiral = ", "spirale = ");
   EXPECT_EQ(message.rfind("design.spirale: ", 0), 0u) << message;
 }

@@ -185,7 +185,7 @@ TEST(AdjustFile, moves_along_the_tangent) {
   EXPECT_GT(after[i].tip_radius, before[i].tip_radius);
 }
 
-TEST(AdjustFile, refuses_what_the_bit_does_not_have) {
+TEST(AdjustFile, rejects_what_the_bit_does_not_have) {
   EXPECT_EQ(mistake_of({"adjust.blade.9.azimuth=1 deg"}),
             "bit.set: adjust.blade.9.azimuth: found a table of 9, expected the number of a blade");
   EXPECT_EQ(mistake_of({"adjust.cutter.first.back_rake=1 deg"}),

@@ -176,7 +176,7 @@ TEST(SolidsFile, names_every_mistake_at_its_line) {
        "bit.toml:6: solids.rules[0].kind: found \"bodi\""});
 }
 
-TEST(SolidsFile, refuses_a_second_solid_of_a_name) {
+TEST(SolidsFile, rejects_a_second_solid_of_a_name) {
   auto solids = drawn();
   solids[1].name = "cutter-1/face";
   expect_words(complaint(write_drawn("", solids)),
@@ -192,7 +192,7 @@ TEST(SolidsFile, names_the_command_that_repairs) {
                          "to repair: tdbd mesh ", "bit.stl --repair -o ", "bit-repaired.stl"});
 }
 
-TEST(SolidsFile, refuses_parts_beside_solids) {
+TEST(SolidsFile, rejects_parts_beside_solids) {
   expect_words(complaint(write_drawn("[[parts]]\nname = \"a\"\n")),
                {"solids: found parts, a table or a design as well"});
 }

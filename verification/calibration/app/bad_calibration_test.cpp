@@ -11,7 +11,7 @@ const std::vector<std::string> untouched{"case.toml", "records.csv"};
 
 class BadCalibration : public ::testing::TestWithParam<Mistake> {};
 
-TEST_P(BadCalibration, is_refused_with_its_place_and_reason) {
+TEST_P(BadCalibration, is_rejected_with_its_place_and_reason) {
   const Mistake& m = GetParam();
   const CalibrationFolder c;
   c.edit("case.toml", m.from, m.to);
@@ -116,7 +116,7 @@ void PrintTo(const BadRow& b, std::ostream* out) { *out << b.name; }
 
 class BadCalibrationRecords : public ::testing::TestWithParam<BadRow> {};
 
-TEST_P(BadCalibrationRecords, are_refused_with_their_line) {
+TEST_P(BadCalibrationRecords, are_rejected_with_their_line) {
   const BadRow& m = GetParam();
   const CalibrationFolder c;
   c.edit("records.csv", m.from, m.to);
@@ -231,7 +231,7 @@ TEST(BadCalibration, records_that_are_not_there) {
                      "), expected the path of an existing file, from the case file's folder");
 }
 
-TEST(BadCalibration, a_rock_that_nobody_knows) {
+TEST(BadCalibration, rejects_an_unknown_rock) {
   const CalibrationFolder c;
   c.write("records.csv",
           "test,cutter,speed [mm/s],depth [mm],normal [N],rock\n1,c13,500,1,300,mancos-shail\n"

@@ -114,7 +114,7 @@ TEST(CalibrateAreas, are_in_the_law_that_a_case_reads) {
 }
 
 /// Where the area has every part, nothing is left on which the law's own coefficient acts.
-TEST(CalibrateAreas, that_leave_a_coefficient_without_parts_are_refused) {
+TEST(CalibrateAreas, that_leave_a_coefficient_without_parts_are_rejected) {
   AreaFolder c("[areas.all]\nnames = \"*\"\n[areas.all.unknowns.A1]\nstart = 1.0\n");
   ASSERT_EQ(c.laboratory().exit_code, 0);
   const auto o = c.calibrate();
@@ -127,7 +127,7 @@ TEST(CalibrateAreas, that_leave_a_coefficient_without_parts_are_refused) {
 class BadCalibrationAreas : public ::testing::TestWithParam<Mistake> {};
 
 /// `from`: the areas, from line 28 of the case on; % is the case.
-TEST_P(BadCalibrationAreas, are_refused_with_their_place_and_reason) {
+TEST_P(BadCalibrationAreas, are_rejected_with_their_place_and_reason) {
   AreaFolder c(GetParam().from);
   ASSERT_EQ(c.laboratory().exit_code, 0);
   const auto o = c.calibrate();

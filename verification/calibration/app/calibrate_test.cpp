@@ -40,7 +40,7 @@ TEST(Calibrate, leaves_its_files_and_finds_the_truth_within_its_intervals) {
   EXPECT_NE(o.out.find("weakest direction: "), std::string::npos);
 }
 
-TEST(Calibrate, warns_of_a_discrepancy_that_nobody_knows) {
+TEST(Calibrate, warns_of_an_unknown_discrepancy) {
   const CalibrationFolder c;
   const std::string warning = "the law's discrepancy is unknown, intervals hold noise alone: ";
   const auto both = c.calibrate({"--force"}),
@@ -77,7 +77,7 @@ std::vector<std::filesystem::path> cut_files(const std::filesystem::path& folder
   return files;
 }
 
-TEST(Calibrate, makes_a_torn_cut_run_anew_and_no_other) {
+TEST(Calibrate, repeats_only_a_truncated_cut_run) {
   const BitFolder c;
   ASSERT_EQ(c.laboratory().exit_code, 0);
   ASSERT_EQ(c.calibrate({}, "before").exit_code, 0);

@@ -38,7 +38,7 @@ void expect_same(const CutRun& a, const CutRun& b) {
   }
 }
 
-TEST(CutFile, is_read_back_to_the_bit) {
+TEST(CutFile, is_read_back_bitwise_identical) {
   const CutRun run = made_up_run(made_up_bits()[2], 1.0 / 3.0e3);
   const auto read = read_cut_run(written(run));
   ASSERT_TRUE(read);
@@ -80,7 +80,7 @@ TEST(CutFile, without_its_depth_or_its_parts_is_none) {
   }
 }
 
-TEST(CutFile, that_does_not_tell_its_commit_or_tells_another_is_none) {
+TEST(CutFile, rejects_a_missing_or_another_commit) {
   for (const bool other : {true, false}) {
     const fs::path file = written(made_up_run(made_up_bits()[0], 1e-3));
     int id = -1;

@@ -143,7 +143,7 @@ TEST(CutRun, a_depth_is_known_to_a_picometre) {
   EXPECT_NE(depth_of_run(r), before);
 }
 
-TEST(CutRun, of_a_bit_with_cones_is_refused) {
+TEST(CutRun, of_a_bit_with_cones_is_rejected) {
   const CalibrationCase c = made_up_case();
   try {
     cut_case(c, {"R", ToolKind::bit, TDBD_SOURCE_DIR "/cases/bits/bit-r.toml", {}}, depth);

@@ -113,7 +113,7 @@ TEST(GrooveCut, is_less_what_chips_off_ahead) {
 }
 
 /// The input of a law includes the diameter of a part, for face and flat.
-TEST(GrooveCut, tells_the_cutters_diameter) {
+TEST(GrooveCut, identifies_the_diameter_of_the_cutter) {
   const CutRun run = groove_cut({.diameter = 13e-3, .back_rake = 0.3, .wear_flat = 1e-6}, 1e-3);
   ASSERT_EQ(run.cuts.size(), 2U);
   for (const auto& cut : run.cuts) EXPECT_EQ(cut.cut.diameter, 13e-3);

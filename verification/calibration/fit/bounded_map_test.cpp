@@ -52,7 +52,7 @@ RC_GTEST_PROP(BoundedMap, stays_inside_for_any_variable, ()) {
   RC_ASSERT(r.contains(value));
 }
 
-TEST(BoundedMap, tells_a_value_at_an_end) {
+TEST(BoundedMap, detects_a_value_at_an_end) {
   const Range two = Range::within(1.0, 3.0), one = Range::non_negative();
   EXPECT_TRUE(is_at_bound(two, 1.00019, 2.0));
   EXPECT_FALSE(is_at_bound(two, 1.00021, 2.0));

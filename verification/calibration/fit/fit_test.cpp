@@ -49,7 +49,7 @@ Fit with_priors(CalibrationCase c, double share) {
   return fit(fitted_problem(c, made_up_cuts(c)), c.intervals);
 }
 
-TEST(Fit, tells_whether_a_coefficient_comes_from_its_prior) {
+TEST(Fit, reports_whether_a_coefficient_comes_from_its_prior) {
   const CalibrationCase c = noisy(well_conditioned_case());
   for (const FittedCoefficient& k : with_priors(c, 1e-3).coefficients) {
     EXPECT_TRUE(k.from_prior) << k.key;

@@ -56,7 +56,7 @@ TEST(Identifiability, the_weakest_direction_stretches_least) {
 }
 
 /// Of the two signs that of the largest component, whichever it is.
-TEST(Identifiability, of_nothing_that_is_fitted_is_not_asked) {
+TEST(Identifiability, is_not_computed_without_fitted_coefficients) {
   const Problem nothing;
   EXPECT_NO_THROW(require_identifiable(nothing));
   EXPECT_EQ(in_words(nothing, {}), "nothing was fitted");
@@ -118,7 +118,7 @@ CalibrationCase with_both_of_the_edge() {
   return c;
 }
 
-TEST(Identifiability, the_edges_width_and_its_stress_are_refused_by_name) {
+TEST(Identifiability, the_edges_width_and_its_stress_are_rejected_by_name) {
   const std::string message = refusal(with_both_of_the_edge());
   EXPECT_NE(message.find("te"), std::string::npos) << message;
   EXPECT_NE(message.find("A4"), std::string::npos) << message;
@@ -135,7 +135,7 @@ TEST(Identifiability, a_prior_for_one_of_them_helps) {
   EXPECT_EQ(refusal(c), "");
 }
 
-TEST(Identifiability, a_coefficient_that_no_part_uses_is_refused) {
+TEST(Identifiability, a_coefficient_that_no_part_uses_is_rejected) {
   CalibrationCase c = read_case(made_up_case());
   c.unknowns.push_back({"A7", 1.0, {}, Range::non_negative(), "case.toml:8: unknowns.A7"});
   EXPECT_EQ(

@@ -169,7 +169,7 @@ TEST(Jacobian, has_its_digits_far_below_the_starts) {
 }
 
 /// At 0, the end of a range, a thousandth of the start stands for the value, and the difference goes inwards.
-TEST(Jacobian, goes_on_at_the_end_of_a_range) {
+TEST(Jacobian, is_one_sided_at_the_end_of_a_range) {
   const CalibrationCase c = noisy_case();
   const Problem p = fitted_problem(c, made_up_cuts(c));
   Eigen::VectorXd values = truth_of(p, hidden_law());

@@ -65,7 +65,7 @@ TEST(DrawnStart, is_well_inside_each_range) {
 }
 
 /// The case's own start is no number, every drawn one has a sum of squares beyond all numbers: two reasons.
-TEST(SolveFromStarts, tells_why_the_cases_own_start_failed) {
+TEST(SolveFromStarts, reports_why_the_start_of_the_case_failed) {
   Problem p;
   p.unknowns.resize(1);
   p.unknowns[0].range = Range::within(0.0, 1.0);

@@ -85,7 +85,7 @@ TEST(Laboratory, its_records_are_read_as_they_were_drilled) {
 }
 
 /// Some of the bits may be chosen; an unknown bit is rejected.
-TEST(Laboratory, drills_with_the_bits_that_are_asked_for) {
+TEST(Laboratory, drills_with_the_bits_of_the_case) {
   const std::string path = TDBD_SOURCE_DIR "/validation/blind/hidden-hanson-hansen.toml";
   const std::vector<std::string> all = read_laboratory(path, {}).setup.fit;
   ASSERT_GT(all.size(), 1U);

@@ -105,7 +105,7 @@ void PrintTo(const Bad& b, std::ostream* out) { *out << b.name; }
 
 class BadRecords : public ::testing::TestWithParam<Bad> {};
 
-TEST_P(BadRecords, are_refused_with_line_and_column) {
+TEST_P(BadRecords, are_rejected_with_line_and_column) {
   EXPECT_EQ(refusal(GetParam().text), GetParam().message);
 }
 
@@ -171,7 +171,7 @@ TEST(ReadRecords, an_unknown_column_hides_no_mistake_behind_it) {
   EXPECT_NE(found.find("FILE:1: wob: found no unit"), std::string::npos) << found;
 }
 
-TEST(ReadRecords, a_file_that_is_not_there_is_refused) {
+TEST(ReadRecords, a_file_that_is_not_there_is_rejected) {
   EXPECT_THROW(read_records(temporary_folder() + "absent.csv"), InputError);
 }
 

@@ -104,7 +104,7 @@ TEST(ConfigErrors, tables) {
 }
 
 /// The message suggests a thousandth if that is in range and no unit was given.
-TEST(ConfigErrors, a_length_or_time_out_of_its_range_asks_for_its_unit) {
+TEST(ConfigErrors, a_length_or_time_out_of_range_suggests_its_unit) {
   const auto told = [](const std::string& unit, const std::string& value) {
     Config c = Config::read_text("x = " + value + "\n", "x.toml");
     c.quantity("x", unit, {}, Range::within(1e-5, 0.1));
@@ -121,7 +121,7 @@ TEST(ConfigErrors, a_length_or_time_out_of_its_range_asks_for_its_unit) {
   EXPECT_EQ(told("kg", "2.5"), "x.toml:1: x: found 2.5, expected mass in kg, in [1e-05, 0.1]");
 }
 
-TEST(ConfigErrors, a_wrong_value_leaves_the_caller_a_harmless_one) {
+TEST(ConfigErrors, a_wrong_value_returns_the_default) {
   Config config = Config::read_file(write_temporary(".toml", "a = 'x'\n"), {});
   EXPECT_GT(config.quantity("a", "m", {}, Range::positive()), 0.0);
   EXPECT_EQ(config.quantity("b", "m", {}, Range::within(2, 3)), 2.0);

@@ -168,7 +168,7 @@ TEST(Config, reads_lists_and_pairs_of_any_length) {
             "p = [[0.001, 0.002], [3, 4]]  # m\nq = [[1, 2]]  # 1\n");
 }
 
-TEST(Config, tells_texts_from_other_values) {
+TEST(Config, distinguishes_texts_from_other_values) {
   Config config =
       Config::read_file(write_temporary(".toml", "t = \"a\"\nn = 1\nl = [\"a\"]\n"), {});
   EXPECT_TRUE(config.is_text("t"));
@@ -176,7 +176,7 @@ TEST(Config, tells_texts_from_other_values) {
   EXPECT_ANY_THROW(config.finish());  // it does not count as reading
 }
 
-TEST(Config, tells_the_quantities_that_were_read) {
+TEST(Config, lists_the_quantities_that_were_read) {
   const std::string toml = "a = \"2 mm\"\nn = 3\n[[t]]\nb = 4\n";
   Config config = Config::read_file(write_temporary(".toml", toml), {});
   config.quantity("a", "m", {});
@@ -228,7 +228,7 @@ RC_GTEST_PROP(Config, every_text_survives_the_resolved_file, (const std::string&
 }
 
 /// Where a path may be left out by an empty text, one that is given is still the file's.
-TEST(Config, knows_the_files_that_it_names) {
+TEST(Config, lists_the_files_that_it_names) {
   const std::string named = write_temporary(".csv", "x\n");
   const std::string path = write_temporary(".toml", "a = \"" + named + "\"\nb = \"\"\nc = 3\n");
   Config c = Config::read_file(path, {});
@@ -245,7 +245,7 @@ TEST(Config, an_empty_array_of_tables_is_known) {
   EXPECT_NO_THROW(c.finish());
 }
 
-TEST(Config, knows_the_names_that_a_table_has) {
+TEST(Config, lists_the_names_in_a_table) {
   Config c = Config::read_text("z = 1\na = 2\n[t]\ny = 3\nx = 4\n", "made-up.toml");
   EXPECT_EQ(c.given(), (std::vector<std::string>{"a", "t", "z"}));
   EXPECT_EQ(c.table("t").given(), (std::vector<std::string>{"x", "y"}));

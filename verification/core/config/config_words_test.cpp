@@ -31,7 +31,7 @@ TEST(ConfigWords, keep_kind_and_digits) {
   EXPECT_EQ(problems_of(c), "");
 }
 
-TEST(ConfigWords, refuse_tables_and_nothing) {
+TEST(ConfigWords, reject_tables_and_empty_values) {
   Config c = config_of("a = [[1]]\nb = {x = 1}\nd = []\n");
   c.words("a");
   c.word("b", {});

@@ -64,7 +64,7 @@ TEST(Csv, reports_all_mistakes_with_line_and_column) {
   EXPECT_EQ(failure(path), expected);
 }
 
-TEST(Csv, refuses_a_bad_header) {
+TEST(Csv, rejects_a_bad_header) {
   const std::string twice = write_temporary("_twice.csv", "t,t\n");
   EXPECT_EQ(failure(twice).rfind(twice + ":1: header: found \"t\" twice, expected different", 0),
             0u);
@@ -74,7 +74,7 @@ TEST(Csv, refuses_a_bad_header) {
   EXPECT_EQ(failure(empty), empty + ":1: header: found nothing, expected the names of the columns");
 }
 
-TEST(Csv, refuses_a_missing_file_and_a_missing_column) {
+TEST(Csv, rejects_a_missing_file_and_a_missing_column) {
   EXPECT_EQ(failure("/no/such.csv"), "/no/such.csv: found no such file, expected a CSV table");
   EXPECT_NE(failure(tdbd::temporary_folder()).find("expected a CSV table"), std::string::npos);
   const CsvTable table{"f.csv", {"time", "depth"}, {}, {}};

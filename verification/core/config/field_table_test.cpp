@@ -76,7 +76,7 @@ TEST(FieldTable, lists_the_columns_of_the_file_where_one_is_missing) {
                              "RPM, ROP, HKLA"));
 }
 
-TEST(FieldTable, refuses_units_that_are_missing_or_of_another_dimension) {
+TEST(FieldTable, rejects_units_that_are_missing_or_of_another_dimension) {
   EXPECT_TRUE(error_message_of(csv, ".csv", "flow", "m3/s")
                   .ends_with(".csv:1: flow: found no unit, expected one in the header or in the "
                              "case, as in \"flow [m3/s]\""));
@@ -85,7 +85,7 @@ TEST(FieldTable, refuses_units_that_are_missing_or_of_another_dimension) {
                              "speed in rad/s"));
 }
 
-TEST(FieldTable, refuses_what_is_no_table) {
+TEST(FieldTable, rejects_what_is_no_table) {
   const auto refused = [](const char* text, const char* suffix) {
     return reason([&] { table(text, suffix); });
   };

@@ -167,7 +167,7 @@ std::string problems_of_drive(const std::string& toml) {
   return problems_of(file);
 }
 
-TEST(Fields, of_a_group_that_does_not_apply_are_refused_or_unknown) {
+TEST(Fields, of_a_group_that_does_not_apply_are_rejected_or_unknown) {
   EXPECT_EQ(problems_of_drive(""), "");
   EXPECT_EQ(problems_of_drive("electric = true\nvoltage = 3\ngeared = true\nratio = 2\n"), "");
   EXPECT_EQ(problems_of_drive("voltage = 3\n"),
@@ -177,7 +177,7 @@ TEST(Fields, of_a_group_that_does_not_apply_are_refused_or_unknown) {
   EXPECT_EQ(table_of<Drive>("run", {"drive", "m"}).rows.size(), 4u);
 }
 
-TEST(Fields, can_all_be_refused) {
+TEST(Fields, can_all_be_rejected) {
   Config file = config_of("electric = true\nratio = 2\n");
   refuse_fields<Drive>(file, {"a drive", "none"});
   EXPECT_EQ(problems_of(file).find("1: electric: found a drive, expected none\n"), 0u);

@@ -132,7 +132,7 @@ TEST(Key, without_a_default_is_described_as_required) {
   EXPECT_EQ(words(row(PathKey{.name = "x", .meaning = "y"})), "x|file|required||y");
 }
 
-TEST(Key, stands_in_its_table) {
+TEST(Key, is_listed_in_its_table) {
   const std::vector<KeyTable> all{key_table("run", table, {row(teeth)}),
                                   key_table("run", {"drill", "the drill"}, {row(mass)})};
   EXPECT_EQ(keys_as_text(all),

@@ -4,7 +4,7 @@
 
 namespace tdbd::unknown_keys_test {
 
-TEST(UnknownKeys, a_table_that_nobody_knows_names_those_that_are_known) {
+TEST(UnknownKeys, an_unknown_table_lists_the_known_ones) {
   const auto read = [](Config& c) { c.quantity("bit.mass", "kg", 1.0); };
   expect_message({"[rock]\nedge = 1\n", read,
                   "FILE:2: rock.edge: found an unknown key, expected one of bit in place of rock"});

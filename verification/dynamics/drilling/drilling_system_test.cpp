@@ -24,7 +24,7 @@ std::string problem(const std::function<void(DrillingSystem&)>& spoil) {
   return why;
 }
 
-TEST(DrillingSystem, refuses_what_is_no_system) {
+TEST(DrillingSystem, rejects_what_is_no_system) {
   using S = DrillingSystem;
   EXPECT_EQ(problem([](S&) {}), "");
   EXPECT_EQ(problem([](S& s) { s.mass = 0.0; }), "a mass of 0 kg");
@@ -45,7 +45,7 @@ TEST(DrillingSystem, refuses_what_is_no_system) {
 }
 
 /// Every number of wall, rock and bearings must be finite and not negative; 0 is none, and fine.
-TEST(DrillingSystem, refuses_a_number_that_is_negative_or_none) {
+TEST(DrillingSystem, rejects_a_negative_or_undefined_number) {
   using Of = std::function<double&(DrillingSystem&)>;
   const std::vector<std::pair<std::string, Of>> numbers{
       {"a wall's stiffness", [](auto& s) -> double& { return s.wall.stiffness; }},

@@ -99,7 +99,7 @@ TEST(WallFriction, a_thrown_block_slides_as_far_as_its_energy_lasts) {
   }
 }
 
-TEST(WallFriction, coulomb_friction_holds_a_block_that_is_pushed_less_than_its_bound) {
+TEST(WallFriction, coulomb_friction_stops_a_block_that_is_pushed_below_its_bound) {
   for (const double h : {1e-2, 1e-3, 1e-4})
     for (const double share : {0.1, 0.9, -0.9}) {
       const DrillingSystem s = block_on_wall(0.5, 0.0);
@@ -112,7 +112,7 @@ TEST(WallFriction, coulomb_friction_holds_a_block_that_is_pushed_less_than_its_b
 
 /// A constant force against a damper of rate c/M = 2e4 1/s: F/c at any step, beside the wall and on
 /// it. The kicked step moved it (h/2) F/M coth(h c/2M) in place of that.
-TEST(WallFriction, a_stiff_damper_lets_a_load_go_on_at_force_over_damping) {
+TEST(WallFriction, under_a_stiff_damper_a_load_moves_at_force_over_damping) {
   constexpr double damping = 2e4 * mass, force = 3e4;
   for (const bool touches : {false, true})
     for (const double h : {3e-2, 1e-2, 1e-3, 1e-4}) {
@@ -220,7 +220,7 @@ RC_GTEST_PROP(WallSecants, agree_with_the_laws_at_the_speeds_they_lead_to, ()) {
 }
 
 /// A contact at rest that is pushed less than friction bears stays at rest, within its creep.
-TEST(WallSecants, hold_a_contact_that_is_pushed_less_than_friction_bears) {
+TEST(WallSecants, stop_a_contact_that_is_pushed_below_its_friction) {
   const WallLaw law{0.5, 1e-3, 1e4, 0.0};                                             // bears 5 kN
   const Contact c{1e-2 * Mat3::Identity(), Vec3::Zero(), Vec3(30.0, 0.0, 0.0), 1.0};  // 3 kN
   SecantSearch search;

@@ -57,7 +57,7 @@ TEST(Conservation, momenta_that_no_torque_changes_are_bitwise_constant) {
       expect_conserved(scheme, read_golden_case(name), many / 10);
 }
 
-TEST(Conservation, momentum_of_a_free_gyrostat_stays_to_the_bit_over_1e7_steps) {
+TEST(Conservation, momentum_of_a_free_gyrostat_is_bitwise_constant_over_1e7_steps) {
   const GoldenCase c = read_golden_case("gyro_free_sym");
   for (const RotationScheme& scheme : composed_schemes(2)) {
     const ConservationDefects d = conservation_defects(scheme, c, step, most);

@@ -133,7 +133,7 @@ RC_GTEST_PROP(EveryGyrostat, comes_back_with_minus_h, ()) {
 }
 
 /// Nothing depends on how the bit's frame lies in the bit.
-RC_GTEST_PROP(EveryGyrostat, moves_alike_in_another_bit_frame, ()) {
+RC_GTEST_PROP(EveryGyrostat, has_the_same_motion_in_another_bit_frame, ()) {
   const Scene s = random_scene();
   const Mat3 R_BC = rotation_matrix();
   Scene other = s;
@@ -157,7 +157,7 @@ RC_GTEST_PROP(EveryGyrostat, moves_alike_in_another_bit_frame, ()) {
 }
 
 /// Without load nothing depends on how space is turned.
-RC_GTEST_PROP(EveryGyrostat, moves_alike_in_another_space, ()) {
+RC_GTEST_PROP(EveryGyrostat, has_the_same_motion_in_another_space_frame, ()) {
   const Scene s = random_scene();
   const Eigen::Quaterniond turn(rotation_matrix());
   Scene other = s;

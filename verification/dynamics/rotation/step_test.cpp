@@ -36,7 +36,7 @@ TEST(Step, evaluates_one_torque_a_stage) {
   }
 }
 
-TEST(Step, that_is_too_long_is_refused_with_the_state_as_it_was_and_the_step_that_would_do) {
+TEST(Step, that_is_too_long_is_rejected_with_the_state_unchanged_and_a_suggested_step) {
   for (const Drift drift : {Drift::lie_midpoint, Drift::lie_mean}) {
     Rotating r = begin();
     for (int i = 0; i < 7; ++i) advance({drift}, 0.01, r);
@@ -93,7 +93,7 @@ TEST(Step, drifts_that_solve_end_at_half_a_turn) {
   }
 }
 
-TEST(Step, refused_in_the_middle_of_a_composition_leaves_the_torque_as_it_was) {
+TEST(Step, rejected_in_the_middle_of_a_composition_leaves_the_torque_as_it_was) {
   const Gyrostat g = make_gyrostat(Vec3(2.0, 2.0, 3.0).asDiagonal(), {});
   Loads loads;
   loads.harmonics.push_back({TorqueFrame::space, Vec3(0.0, 0.0, 1e-3), 0.1, 0.0});

@@ -8,7 +8,7 @@ namespace tdbd::forces::directions_test {
 
 /// Where a part drills, the frame is the literature's: unit vectors, perpendicular, n in their
 /// plane.
-RC_GTEST_PROP(CutFrame, is_orthonormal_and_holds_the_normal_where_a_part_drills, ()) {
+RC_GTEST_PROP(CutFrame, is_orthonormal_and_contains_the_normal_where_a_part_drills, ()) {
   const Vec3 n = any_direction();
   const Vec3 along = n.cross(any_direction());
   RC_PRE(along.norm() > 1e-3);
@@ -54,7 +54,7 @@ TEST(CutFrame, of_a_plunge_askew_by_rounding_is_that_of_a_plunge_at_any_speed) {
 }
 
 /// A part that leaves along the normal is let go; one that leaves askew feels no pull.
-TEST(CutFrame, of_a_part_that_leaves_the_rock_holds_nothing_along_the_normal) {
+TEST(CutFrame, of_a_part_that_leaves_the_rock_has_no_load_along_the_normal) {
   const CutFrame straight = cut_frame(Vec3(0, 0, -0.3), Vec3(0, 0, 1));
   EXPECT_EQ(straight.e1, Vec3::Zero());
   EXPECT_EQ(straight.e2, Vec3::Zero());

@@ -97,7 +97,7 @@ TEST(CompareCase, has_the_advance_of_a_turn_and_the_rock_of_the_faces) {
   EXPECT_EQ(counted_steps(c), 500);
 }
 
-TEST(CompareCase, refuses_what_cannot_be_compared) {
+TEST(CompareCase, rejects_what_cannot_be_compared) {
   EXPECT_NE(mistake({"compare.circle='2 m'"}).find("compare.circle"), std::string::npos);
   EXPECT_NE(mistake({"compare.counted_revolutions=30"}).find("counted_revolutions"),
             std::string::npos);

@@ -183,7 +183,7 @@ TEST(DragModels, name_cutters_that_add_up_to_the_bit) {
   }
 }
 
-TEST(DragModels, refuse_cones_and_bits_without_cutters_by_their_names) {
+TEST(DragModels, reject_cones_and_bits_without_cutters_by_their_names) {
   const CompareCase cones = model_runs::compare_case("bit-r", {"rock.edge_length='4 mm'"});
   EXPECT_EQ(model_runs::refusal(cones, "warren-sinor", weight),
             "Warren and Sinor: found a bit with cones, needs a bit with fixed cutters");
@@ -198,7 +198,7 @@ TEST(DragModels, refuse_cones_and_bits_without_cutters_by_their_names) {
 }
 
 /// A law that is not linear in the area is none that they share.
-TEST(DragModels, refuse_laws_that_they_do_not_share) {
+TEST(DragModels, reject_laws_that_they_do_not_share) {
   CompareCase c = bit_b();
   c.rock.reset();
   for (const std::string& model : drag_models) {

@@ -112,7 +112,7 @@ TEST(FreeRun, a_led_bit_has_no_rate_of_its_own) {
 }
 
 /// Without lateral damping; the models with damping continue.
-TEST(FreeRun, a_bit_that_whirls_off_its_spokes_is_refused_by_its_models_name) {
+TEST(FreeRun, a_bit_that_whirls_off_its_spokes_is_rejected_by_its_models_name) {
   const CompareCase c =
       read_compare_case(TDBD_SOURCE_DIR "/cases/compare/bit-b-free.toml",
                         {"string.lateral_stiffness='1e7 N/m'", "time.duration='5 s'"});
@@ -122,7 +122,7 @@ TEST(FreeRun, a_bit_that_whirls_off_its_spokes_is_refused_by_its_models_name) {
       << all.excluded_models.front();
 }
 
-TEST(FreeRun, a_step_too_long_for_the_damper_is_refused_by_its_models_name) {
+TEST(FreeRun, a_step_too_long_for_the_damper_is_rejected_by_its_models_name) {
   const CompareCase c = read_compare_case(TDBD_SOURCE_DIR "/cases/compare/bit-b-free.toml",
                                           {"string.axial_damping='5e6 N s/m'"});
   try {
@@ -188,7 +188,7 @@ TEST(FreeString, has_the_dampers_that_the_model_has) {
   EXPECT_EQ(left_out(c, StringTerms::springs_and_dampers).find("damping"), std::string::npos);
 }
 
-TEST(FreeString, refuses_what_such_a_model_cannot_hold_by_its_name) {
+TEST(FreeString, rejects_an_unsupported_string_and_names_it) {
   for (const auto& [override, reason] : std::vector<std::pair<std::string, std::string>>{
            {"string.torsional_stiffness=0", "torsional_stiffness"},
            {"motion.start=['1 mm', '0 mm', '0 mm']", "beside the hole's axis"},
@@ -269,7 +269,7 @@ TEST(FreeCones, a_stiffer_string_keeps_the_bit_nearer_to_the_axis) {
             0.3 * model_runs::value(free_cones(), Quantity::whirl_radius));
 }
 
-TEST(FreeCones, refuse_a_string_that_lets_the_bit_out_of_its_rock) {
+TEST(FreeCones, reject_a_string_that_lets_the_bit_out_of_its_rock) {
   const std::string why = model_runs::refusal(
       free_bit_r({"string.lateral_stiffness='1e3 N/m'", "string.lateral_damping='1 N s/m'"}),
       "hanson-hansen", load);

@@ -301,7 +301,7 @@ TEST(OwnLaws, drill_on_a_string) {
   EXPECT_NEAR(t.torque, 0.0, 1e-3);  // -3.5e-4
 }
 
-TEST(OwnLaws, are_refused_by_models_without_them) {
+TEST(OwnLaws, are_rejected_by_models_without_them) {
   const CompareCase edges = model_runs::compare_case("bit-b-edges", {}),
                     depth = model_runs::compare_case("bit-b-depth", {});
   const std::string unknown = "found faces under a law that it does not know, needs ";

@@ -269,7 +269,7 @@ TEST(RollerModels, have_a_reason_for_every_blank_also_without_a_weight) {
     EXPECT_FALSE(saying(model_runs::run(c, name, 0.0), Quantity::rate_at_weight).value) << name;
 }
 
-TEST(RollerModels, refuse_a_bit_of_fixed_cutters_by_their_names) {
+TEST(RollerModels, reject_a_bit_of_fixed_cutters_by_their_names) {
   const CompareCase cutters = model_runs::compare_case("bit-b", {});
   EXPECT_EQ(model_runs::refusal(cutters, "ma-azar", weight),
             "Ma and Azar: found a bit without cones, needs a roller cone bit");
@@ -305,7 +305,7 @@ struct ToothFile {
   std::filesystem::path path;
 };
 
-TEST(RollerModels, refuse_a_table_whose_forces_fall) {
+TEST(RollerModels, reject_a_table_whose_forces_fall) {
   const ToothFile file("0, 0, 0\n1, 4, 3\n2, 3, 4\n");
   const CompareCase c = bit_r({"compare.roller.tooth_table='" + file.path.string() + "'"});
   for (const auto& [name, title] : {std::pair("ma-zhou-deng", "Ma, Zhou and Deng: "),

@@ -7,7 +7,7 @@
 namespace tdbd::reference::drag_input_test {
 namespace {
 
-TEST(DragInput, refuses_cones_by_the_models_name) {
+TEST(DragInput, rejects_cones_by_the_models_name) {
   bit::Bit bit;
   bit.cones.resize(3);
   try {
@@ -20,7 +20,7 @@ TEST(DragInput, refuses_cones_by_the_models_name) {
   }
 }
 
-TEST(DragInput, refuses_cutters_without_a_size) {
+TEST(DragInput, rejects_cutters_without_a_size) {
   bit::Bit bit;
   EXPECT_THROW(require_drag_bit("Glowka", bit), InputError);
   bit.cutters.resize(1);

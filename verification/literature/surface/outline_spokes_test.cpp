@@ -83,7 +83,7 @@ TEST(OutlineSpokes, a_step_takes_all_between_its_ends) {
 
 /// The cutter of `one_depth_for_each_node_takes_the_rock_above_an_undercut` (spokes_test): half a
 /// disc out of an upright wall, 50 mm below its top.
-TEST(OutlineSpokes, an_undercut_is_held) {
+TEST(OutlineSpokes, an_undercut_is_kept) {
   constexpr double r = 6.7e-3, below = 50e-3, wall = 0.1, spacing = 0.5e-3;
   OutlineSpokes rock = flat_outline_spokes({0.12, 0.2}, 0.0, 8, spacing);
   for (int k = 0; k < 8; ++k)  // the hole
@@ -302,7 +302,7 @@ TEST(OutlineNodes, drop_what_the_frames_own_edges_hold) {
 }
 
 /// Of nodes that stand too close, the one on a straight goes, the corner beside it stays.
-TEST(OutlineNodes, drop_first_what_costs_least) {
+TEST(OutlineNodes, remove_the_node_of_least_error_first) {
   const PlanarFace even = respaced(
       below({{0, 0}, {0.048, 0}, {0.05, 0.01}, {0.0505, 0.01}, {0.056, 0.01}, {0.1, 0.01}}), frame,
       0.01);
@@ -321,7 +321,7 @@ TEST(OutlineNodes, drop_cavities_below_a_triangle) {
 }
 
 /// A circle's arc by far too many nodes comes to a polygon of the spacing: area to second order.
-TEST(OutlineNodes, cost_a_curved_surface_area_of_second_order) {
+TEST(OutlineNodes, lose_area_of_second_order_on_a_curved_surface) {
   Outline arc;
   arc.reserve(2001);
   for (int i = 0; i <= 2000; ++i) {

@@ -193,7 +193,7 @@ TEST(PlanarBoolean, touching_takes_nothing) {
   EXPECT_TRUE(without({{square, {}}}, square).empty());
 }
 
-TEST(PlanarBoolean, refuses_what_the_grid_does_not_hold) {
+TEST(PlanarBoolean, rejects_what_the_grid_does_not_contain) {
   EXPECT_THROW(without({{square, {}}}, {{0, 0}, {2.5, 0}, {0, 1}}), std::invalid_argument);
   EXPECT_THROW(without({{square, {}}}, {{0, 0}, {NAN, 0}, {0, 1}}), std::invalid_argument);
 }
@@ -349,7 +349,7 @@ TEST(SurfaceError, percentiles_are_those_of_the_distances) {
   EXPECT_NEAR(e.mean_signed, 0.0, 1e-12);
 }
 
-TEST(SurfaceError, refuses_other_cells) {
+TEST(SurfaceError, rejects_other_cells) {
   EXPECT_THROW(surface_errors(raised(0.0), flat_z_map(1.0, 0.0, 10), cone(), {0.0, 1.0}),
                std::invalid_argument);
 }

@@ -131,7 +131,7 @@ std::vector<Triangle> any_triangles(int points) {
 using Groups = std::vector<std::vector<int>>;
 
 /// Groups of 0 .. n-1 that `joined` links, by spreading over and over.
-Groups groups_by_hand(int n, const std::function<bool(int, int)>& joined) {
+Groups groups_by_pairs(int n, const std::function<bool(int, int)>& joined) {
   Groups groups;
   std::vector<char> seen(at(n), 0);
   for (int first = 0; first < n; ++first) {
@@ -157,7 +157,7 @@ int shared(const Triangle& s, const Triangle& t) {
 
 RC_GTEST_PROP(ConnectedPieces, are_the_triangles_that_edges_link, ()) {
   const std::vector<Triangle> t = any_triangles(12);
-  RC_ASSERT(connected_pieces(t) == groups_by_hand(static_cast<int>(t.size()), [&](int i, int k) {
+  RC_ASSERT(connected_pieces(t) == groups_by_pairs(static_cast<int>(t.size()), [&](int i, int k) {
               return shared(t[at(i)], t[at(k)]) >= 2;
             }));
 }
@@ -172,7 +172,7 @@ RC_GTEST_PROP(FanCounts, are_the_groups_of_triangles_around_a_vertex, ()) {
     std::vector<Triangle> at_v;
     for (const Triangle& t : m.triangles)
       if (std::ranges::count(t, v) > 0) at_v.push_back(t);
-    const Groups fans = groups_by_hand(static_cast<int>(at_v.size()), [&](int i, int k) {
+    const Groups fans = groups_by_pairs(static_cast<int>(at_v.size()), [&](int i, int k) {
       return shared(at_v[at(i)], at_v[at(k)]) >= 2;
     });
     RC_ASSERT(counts[at(v)] == static_cast<int>(fans.size()));
@@ -188,10 +188,10 @@ RC_GTEST_PROP(Topology, counts_pieces_loops_and_the_euler_characteristic, ()) {
     for (std::size_t k = 0; k < 3; ++k) ++facets[{t[k], t[(k + 1) % 3]}];
   const auto is_edge = [&](int i, int k) { return facets.contains({i, k}); };
   const auto is_open = [&](int i, int k) { return is_edge(i, k) && facets.at({i, k}) == 1; };
-  Groups loops = groups_by_hand(points, is_open);
+  Groups loops = groups_by_pairs(points, is_open);
   std::erase_if(loops, [](const auto& loop) { return loop.size() == 1; });
   const Topology found = topology(m, sorted_sides(m));
-  RC_ASSERT(found.pieces == static_cast<int>(groups_by_hand(points, is_edge).size()));
+  RC_ASSERT(found.pieces == static_cast<int>(groups_by_pairs(points, is_edge).size()));
   RC_ASSERT(found.loops == static_cast<int>(loops.size()));
   RC_ASSERT(found.euler ==
             points - static_cast<int>(facets.size()) + static_cast<int>(m.triangles.size()));
@@ -208,7 +208,9 @@ RC_GTEST_PROP(DisjointSets, are_named_by_their_least_members, ()) {
     joined.insert({i, j});
     joined.insert({j, i});
   }
-  for (const auto& group : groups_by_hand(n, [&](int i, int k) { return joined.contains({i, k}); }))
+  for (const auto& group : groups_by_pairs(n, [&](int i, int k) {
+         return joined.contains({i, k});
+       }))
     for (const int i : group) RC_ASSERT(sets.find(i) == group.front());
 }
 

@@ -45,12 +45,12 @@ const std::string two_elements =
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
 const std::string ascii = "ply\nformat ascii 1.0\n";
 
-TEST(AttackedPly, a_property_before_any_element_is_refused) {
+TEST(AttackedPly, a_property_before_any_element_is_rejected) {
   EXPECT_EQ(refusal("a.ply", ascii + "property double x\nend_header\n"),
             "FILE:3: found a property of no element, expected an element before it");
 }
 
-TEST(AttackedPly, headers_are_refused_with_line_found_and_expected) {
+TEST(AttackedPly, headers_are_rejected_with_line_found_and_expected) {
   const std::array<std::array<std::string, 2>, 11> wrong = {{
       {"", "FILE:1: found the end of the file, expected 'ply'"},
       {"ply\nformat ascii 1.0\n", "FILE:2: found the end of the file, expected end_header"},
@@ -75,7 +75,7 @@ TEST(AttackedPly, headers_are_refused_with_line_found_and_expected) {
   for (const auto& [bytes, message] : wrong) EXPECT_EQ(refusal("a.ply", bytes), message) << bytes;
 }
 
-TEST(AttackedPly, a_count_that_the_file_cannot_hold_is_refused_before_memory_is_taken) {
+TEST(AttackedPly, a_count_that_the_file_cannot_hold_is_rejected_before_memory_is_taken) {
   for (const std::string format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
     const std::string head = "ply\nformat " + format + " 1.0\nelement vertex 1000000000\n";
     EXPECT_NE(refusal("a.ply", head + "property double x\nend_header\n0 0 0\n")
@@ -93,7 +93,7 @@ TEST(AttackedPly, a_count_that_the_file_cannot_hold_is_refused_before_memory_is_
             std::string::npos);
 }
 
-TEST(AttackedPly, records_are_refused_with_line_found_and_expected) {
+TEST(AttackedPly, records_are_rejected_with_line_found_and_expected) {
   const std::array<std::array<std::string, 2>, 7> wrong = {{
       {"0 0 0\n1 0 0\n0 x 0\n3 0 1 2\n", "FILE:12: found 'x', expected a finite number"},
       {"0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n", "FILE:12: found 'nan', expected a finite number"},
@@ -110,7 +110,7 @@ TEST(AttackedPly, records_are_refused_with_line_found_and_expected) {
     EXPECT_EQ(refusal("a.ply", ascii + two_elements + records), message) << records;
 }
 
-TEST(AttackedOff, is_refused_with_line_found_and_expected) {
+TEST(AttackedOff, is_rejected_with_line_found_and_expected) {
   const std::string points = "3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
   const std::array<std::array<std::string, 2>, 10> wrong = {{
       {"",
@@ -147,7 +147,7 @@ TEST(AttackedOff, colours_normals_and_comments_are_skipped) {
 }
 
 /// Products of such coordinates are no numbers: CGAL stopped the program.
-TEST(AttackedCoordinates, too_large_ones_are_refused_in_every_format) {
+TEST(AttackedCoordinates, too_large_ones_are_rejected_in_every_format) {
   for (const std::string x : {"1e200", "1e300", "-1e9"}) {
     const std::string expected = "expected coordinates up to 1000000 m";
     const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 " + x + " 0\n3 0 1 2\n";
@@ -177,7 +177,7 @@ TEST(AttackedCoordinates, of_a_binary_stl_are_finite) {
   EXPECT_EQ(refusal("a.stl", bytes.str()).rfind("FILE: facet 1: found a vertex at (nan, ", 0), 0u);
 }
 
-TEST(AttackedFiles, a_pipe_is_refused_unopened) {
+TEST(AttackedFiles, a_pipe_is_rejected_unopened) {
   const fs::path pipe = temporary("pipe.ply");
   fs::remove(pipe);
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -282,7 +282,7 @@ std::string damaged(std::string bytes) {
   return bytes;
 }
 
-RC_GTEST_PROP(AttackedFiles, any_damage_is_read_or_refused_with_the_path, ()) {
+RC_GTEST_PROP(AttackedFiles, any_damage_is_read_or_rejected_with_the_path, ()) {
   for (const std::string extension : {".ply", ".off", ".obj", ".stl"}) {
     const std::string message = refusal("damaged" + extension, damaged(sound_file(extension)));
     RC_ASSERT(message.empty() || message.rfind("FILE:", 0) == 0);

@@ -144,7 +144,7 @@ TEST(Files, polygons_become_fans) {
   EXPECT_EQ(read_mesh(path, 1.0).triangles, fan);
 }
 
-TEST(Files, bad_input_is_refused_with_path_and_reason) {
+TEST(Files, bad_input_is_rejected_with_path_and_reason) {
   EXPECT_TRUE(contains(refusal("nowhere/part.stl"), "nowhere/part.stl: found no such file"));
   EXPECT_TRUE(contains(refusal("part.step"), "unknown mesh format '.step'"));
   EXPECT_TRUE(contains(refusal(tdbd::temporary_folder()), "unknown mesh format"));
@@ -157,7 +157,7 @@ TEST(Files, bad_input_is_refused_with_path_and_reason) {
                        "text.obj:1: found 'not'"));
 }
 
-TEST(Files, indices_beyond_the_vertices_are_refused) {
+TEST(Files, indices_beyond_the_vertices_are_rejected) {
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   EXPECT_TRUE(contains(refusal(write_text_file("high.obj", triangle + "f 1 2 4\n")),
                        "a polygon names vertex 3 of 3"));
@@ -165,7 +165,7 @@ TEST(Files, indices_beyond_the_vertices_are_refused) {
                        "a polygon with 2 corners"));
 }
 
-TEST(Files, a_truncated_file_is_refused) {
+TEST(Files, a_truncated_file_is_rejected) {
   for (const char* extension : {".stl", ".ply", ".off"}) {
     const fs::path path = temporary(std::string("cut") + extension);
     write_mesh(path, square_sheet(4));
@@ -179,7 +179,7 @@ TEST(Files, writing_where_nothing_can_be_written_fails) {
   EXPECT_TRUE(contains(text, "cannot write /proc/no/part.stl"));
 }
 
-TEST(Files, writing_an_unknown_format_is_refused_and_leaves_no_file) {
+TEST(Files, writing_an_unknown_format_is_rejected_and_leaves_no_file) {
   const fs::path path = temporary("part.step");
   const auto text = message_of<InputError>([&] { write_mesh(path, tetrahedron()); });
   EXPECT_TRUE(contains(text, "unknown mesh format '.step'")) << text;
@@ -269,7 +269,7 @@ TEST(Vtp, two_writings_are_bitwise_identical) {
   EXPECT_EQ(text_of(temporary("a.vtp")), text_of(temporary("b.vtp")));
 }
 
-TEST(Vtp, a_field_of_the_wrong_length_is_refused) {
+TEST(Vtp, a_field_of_the_wrong_length_is_rejected) {
   EXPECT_THROW(write_vtp(temporary("c.vtp"), tetrahedron(), {{"depth_m", {1, 2, 3}}}, {}),
                RunError);
   EXPECT_FALSE(fs::exists(temporary("c.vtp")));

@@ -125,7 +125,7 @@ TEST(Grade, is_the_same_every_time) {
   EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
 }
 
-TEST(Grade, refuses_what_bounds_no_solid) {
+TEST(Grade, rejects_what_bounds_no_solid) {
   TriangleMesh open = battery::box({0, 0, 0}, {1, 1, 1});
   open.triangles.pop_back();
   EXPECT_THROW(grade(open, {}), InputError);

@@ -244,7 +244,7 @@ RC_GTEST_PROP(SplitNonManifold, parts_wedges_around_any_origin, ()) {
 }
 
 /// What is refused changed nothing.
-TEST(SplitNonManifold, refuses_three_facets_at_an_edge_and_counts_nothing) {
+TEST(SplitNonManifold, rejects_three_facets_at_an_edge_and_counts_nothing) {
   TriangleMesh m;
   m.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}};
   m.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};

@@ -208,7 +208,7 @@ TEST(Repair, remeshes_where_a_surface_crosses_itself) {
   EXPECT_NEAR(enclosed_volume(r.mesh), enclosed_volume(battery::sphere(1, 2)), 0.18);
 }
 
-TEST(Repair, refuses_an_odd_edge) {
+TEST(Repair, rejects_an_odd_edge) {
   TriangleMesh m = joined(unit_box, battery::box({1, 0, 0}, {2, 1, 1}));
   m.triangles = merge_equal_vertices(m);
   std::vector<Triangle> wall;  // one of the two facing walls between the boxes
@@ -226,7 +226,7 @@ TEST(Repair, refuses_an_odd_edge) {
     EXPECT_EQ(step.what.find("more than two facets"), std::string::npos) << step.what;
 }
 
-TEST(Repair, refuses_a_one_sided_surface) {
+TEST(Repair, rejects_a_one_sided_surface) {
   TriangleMesh strip;
   constexpr int n = 12;
   for (int i = 0; i < n; ++i) {

@@ -84,7 +84,7 @@ RC_GTEST_PROP(ConvexSolid, survives_single_precision, ()) {
   RC_ASSERT(solid->planes == 34U);
 }
 
-RC_GTEST_PROP(ConvexSolid, refuses_dents_and_only_dents, ()) {
+RC_GTEST_PROP(ConvexSolid, rejects_dents_and_only_dents, ()) {
   const TriangleMesh m = *rc::gen::oneOf(battery::star_shape(), battery::convex_polyhedron());
   const double d = dent(m);
   RC_PRE(d < 0.9 * tolerance::convex || d > 2.0 * tolerance::convex);

@@ -154,7 +154,7 @@ TEST(Ode, counts_every_evaluation) {
   EXPECT_EQ(called, 200);
 }
 
-TEST(Ode, a_loose_tolerance_costs_less_and_errs_more) {
+TEST(Ode, a_wider_tolerance_needs_fewer_evaluations_and_has_a_larger_error) {
   std::vector<double> loose{1.0, 0.0}, tight{1.0, 0.0};
   const long few = integrate(oscillator, OdeMethod::rkf45, {1e-4, 1e-4}, 0.0, 10.0, loose);
   const long many = integrate(oscillator, OdeMethod::rkf45, {1e-10, 1e-10}, 0.0, 10.0, tight);

@@ -182,7 +182,7 @@ TEST(RungeKutta, bearing_friction_brakes_the_cone_against_the_bit) {
   EXPECT_NEAR(end.cone_angles[0], spin / rate * (1.0 - std::exp(-rate * 2.0)), 1e-13);
 }
 
-TEST(RungeKutta, looser_tolerances_cost_fewer_evaluations) {
+TEST(RungeKutta, wider_tolerances_need_fewer_evaluations) {
   const battery::GoldenCase c = battery::read_golden_case("slow_top");
   const auto run = [&](OdeMethod method, double tolerance) {
     return runge_kutta(c.gyrostat, c.loads, matrix_state(c.initial), 10.0, method,
@@ -247,7 +247,7 @@ TEST(WorkPrecision, angle_between_attitudes) {
   EXPECT_NEAR(angle_between(turned(0.3), turned(2.8)), 2.5, 1e-14);
 }
 
-TEST(WorkPrecision, refuses_what_it_cannot_run) {
+TEST(WorkPrecision, rejects_what_it_cannot_run) {
   EXPECT_THROW(on_the_slow_top(ComparisonMethod::rk4, {0.5}), InputError);
   EXPECT_THROW(on_the_slow_top(ComparisonMethod::rk4, {-2.0}), InputError);
   EXPECT_THROW(on_the_slow_top(ComparisonMethod::rk4, {1e9}), InputError);

@@ -61,7 +61,7 @@ TEST(RemovedVolumeExact, of_one_vertex_is_a_pyramid) {
   EXPECT_EQ(removed_volume_exact(before, after), 3.0 * 0.5 / 3.0);
 }
 
-TEST(RemovedVolumeExact, refuses_surfaces_with_different_triangles) {
+TEST(RemovedVolumeExact, rejects_surfaces_with_different_triangles) {
   EXPECT_THROW(
       removed_volume_exact(battery::flat_rock(1.0, 0.0, 2), battery::flat_rock(1.0, 0.0, 3)),
       RunError);
@@ -178,7 +178,7 @@ TEST(SelfIntersections, finds_a_fold) {
   EXPECT_GT(self_intersecting_pairs(m), 0u);
 }
 
-TEST(SelfIntersections, refuses_what_is_not_an_oriented_manifold) {
+TEST(SelfIntersections, rejects_what_is_not_an_oriented_manifold) {
   TriangleMesh m = two_triangles(1.0);
   m.triangles.push_back({0, 1, 3});
   EXPECT_THROW(self_intersections(m), RunError);

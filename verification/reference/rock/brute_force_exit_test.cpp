@@ -265,19 +265,19 @@ TEST(CloseSurface, loses_the_volume_of_a_dent) {
   EXPECT_DOUBLE_EQ(enclosed_volume_exact(close_surface(dented, 1.0)), 4.0 - 0.5);
 }
 
-TEST(CloseSurface, refuses_a_bottom_that_is_too_high) {
+TEST(CloseSurface, rejects_a_bottom_that_is_too_high) {
   TriangleMesh dented = battery::flat_rock(1.0, 0.0, 2);
   dented.positions[4].z() = 0.5;
   EXPECT_THROW(close_surface(dented, 0.5), RunError);
 }
 
-TEST(CloseSurface, refuses_a_boundary_that_is_not_level) {
+TEST(CloseSurface, rejects_a_boundary_that_is_not_level) {
   TriangleMesh tilted = battery::flat_rock(1.0, 0.0, 2);
   tilted.positions[0].z() = -0.1;
   EXPECT_THROW(close_surface(tilted, 1.0), RunError);
 }
 
-TEST(CloseSurface, refuses_closed_surfaces_and_holes) {
+TEST(CloseSurface, rejects_closed_surfaces_and_holes) {
   EXPECT_THROW(close_surface(battery::box({0, 0, 0}, {1, 1, 1}), 2.0), RunError);
   TriangleMesh pierced = battery::flat_rock(1.0, 0.0, 4);
   pierced.triangles.erase(pierced.triangles.begin() + 10);  // away from the outer boundary

@@ -205,7 +205,7 @@ RC_GTEST_PROP(ConvexUnion, of_a_solid_cut_in_pieces_is_the_solid, ()) {
             1e-12);
 }
 
-TEST(ConvexUnion, is_refused_of_pieces_that_do_not_fill_a_convex_solid) {
+TEST(ConvexUnion, is_rejected_of_pieces_that_do_not_fill_a_convex_solid) {
   const TriangleMesh cube = battery::box({0, 0, 0}, {1, 1, 1});
   const auto with = [&](const Vec3& lo, const Vec3& hi) {
     return convex_union(pieces_of({cube, battery::box(lo, hi)})).has_value();

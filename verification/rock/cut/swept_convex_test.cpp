@@ -311,7 +311,7 @@ TEST(ExitDistance, continues_to_the_top_where_the_exit_still_grows) {
 }
 
 /// More planes than a strip has room for: prepared parts of that many have a tree instead.
-TEST(ExitDistance, refuses_a_solid_of_too_many_planes) {
+TEST(ExitDistance, rejects_a_solid_of_too_many_planes) {
   mesh::ConvexSolid solid;
   for (std::size_t i = 0; i <= mesh::most_planes; ++i) mesh::add_plane(solid, Vec3::UnitX(), 1.0);
   mesh::pad(solid);

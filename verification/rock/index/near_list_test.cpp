@@ -164,7 +164,7 @@ TEST(NearList, never_offers_a_removed_vertex_and_follows_its_reused_number) {
 }
 
 /// A vertex that the step moved out of the list's region is still in the list, at its old place.
-TEST(NearList, forgets_a_vertex_that_was_removed_after_it_had_left) {
+TEST(NearList, drops_a_vertex_that_was_removed_after_it_had_left) {
   AtRest x;
   x.grid.move(0, Vec3(0.9, 0.0, 0.0), Notify::none);
   x.list.changes = x.grid.changes();
@@ -238,7 +238,7 @@ TEST(ChangeJournal, lists_moved_and_removed_vertices_in_order) {
 }
 
 /// Every change counts once, also a move from cell to cell.
-TEST(ChangeJournal, forgets_what_came_before_a_reported_change) {
+TEST(ChangeJournal, drops_entries_before_a_reported_change) {
   VertexGrid grid = some_grid();
   grid.insert(3, Vec3::Zero());
   grid.move(3, Vec3::Constant(0.5), Notify::none);

@@ -261,7 +261,7 @@ NearList any_list(std::size_t places) {
 Vec3 place(const NearList& list, std::size_t i) { return {list.x[i], list.y[i], list.z[i]}; }
 
 /// A ball about the middle of the box of each pack, through its farthest place.
-RC_GTEST_PROP(Balls, hold_the_places_of_their_packs_and_no_more, ()) {
+RC_GTEST_PROP(Balls, contain_the_positions_of_their_packs_and_no_more, ()) {
   constexpr double rounding = 2.3e-8;  // m, of single precision at half a metre
   const auto places = 8 * static_cast<std::size_t>(*battery::integer(1, 5));
   const NearList list = any_list(places);

@@ -65,7 +65,7 @@ RC_GTEST_PROP(Collapse, keeps_a_sharp_ridge, ()) {
 }
 
 /// The verdicts on all places name the same edge as the verdict on the best of them, which is the first that is accepted.
-RC_GTEST_PROP(Collapse, is_judged_alike_at_one_place_and_at_three, ()) {
+RC_GTEST_PROP(Collapse, has_the_same_result_at_one_place_and_at_three, ()) {
   const Rock rock = roof();
   const mesh::Surface& s = rock.surface;
   for (int c = 0; c < 3 * s.triangle_slots(); c += 7) {
@@ -139,7 +139,7 @@ void visit_places(const mesh::Surface& s, const MaintenanceLimits& l, Visit&& vi
 }
 
 /// Of uneven sheets: no triangle below both 0.3 and the worst of before.
-RC_GTEST_PROP(Collapse, is_refused_for_the_quality_that_it_would_leave, ()) {
+RC_GTEST_PROP(Collapse, is_rejected_for_the_quality_that_it_would_leave, ()) {
   const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.35)));
   const mesh::Surface& s = rock.surface;
   visit_places(s, lax(), [&](int a, int b, const CollapseVerdict& v) {
@@ -150,7 +150,7 @@ RC_GTEST_PROP(Collapse, is_refused_for_the_quality_that_it_would_leave, ()) {
 }
 
 /// Where quality does not count: no new edge longer than the limit.
-RC_GTEST_PROP(Collapse, is_refused_for_the_longest_edge_that_it_would_make, ()) {
+RC_GTEST_PROP(Collapse, is_rejected_for_the_longest_edge_that_it_would_make, ()) {
   const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.35)));
   const mesh::Surface& s = rock.surface;
   MaintenanceLimits l = lax();
@@ -238,7 +238,7 @@ RC_GTEST_PROP(Collapse, computes_the_volume_of_each_place, ()) {
   });
 }
 
-TEST(Collapse, of_a_boundary_vertex_is_refused_by_name) {
+TEST(Collapse, of_a_boundary_vertex_is_rejected_by_name) {
   const mesh::Surface s = mesh::make_surface(battery::bumpy_rock(1.5, 10, 0.0, 7));
   for (int c = 0; c < 3 * s.triangle_slots(); ++c) {
     const int a = s.vertex(mesh::next_corner(c)), b = s.vertex(mesh::previous_corner(c));
@@ -249,7 +249,7 @@ TEST(Collapse, of_a_boundary_vertex_is_refused_by_name) {
 }
 
 /// After random edits, which leave vertices of few neighbours.
-RC_GTEST_PROP(Collapse, is_refused_at_all_places_where_it_would_pinch, ()) {
+RC_GTEST_PROP(Collapse, is_rejected_at_all_places_where_it_would_pinch, ()) {
   mesh::Surface s = mesh::make_surface(battery::bumpy_rock(1.0, 4, 0.1, 7));
   for (int k = 0; k < 60; ++k) mesh::random_edit(s, *battery::integer(0, 1 << 20));
   for (int c = 0; c < 3 * s.triangle_slots(); ++c) {
@@ -294,7 +294,7 @@ TEST(Collapse, adds_to_the_largest_drift_around_its_ends) {
 }
 
 /// Ridges and valleys side by side: whichever end of an edge between them stays, one is cut.
-TEST(Collapse, between_a_sharp_ridge_and_a_sharp_valley_is_refused_by_name) {
+TEST(Collapse, between_a_sharp_ridge_and_a_sharp_valley_is_rejected_by_name) {
   mesh::TriangleMesh m = battery::bumpy_rock(1.5, 10, 0.0, 7);
   for (Vec3& x : m.positions) x.z() = std::lround(x.y() / 0.3) % 2 == 0 ? 0.0 : 0.16;
   const mesh::Surface s = mesh::make_surface(m);

@@ -74,7 +74,7 @@ std::optional<Refusal> refused(const Kite& k, const MaintenanceLimits& l) {
 
 TEST(Flip, of_a_flat_kite_is_accepted) { EXPECT_EQ(refused(kite(0.0), limits()), std::nullopt); }
 
-TEST(Flip, of_the_better_diagonal_is_refused) {
+TEST(Flip, of_the_better_diagonal_is_rejected) {
   Rock r = kite(0.0).rock();
   SurfaceDrift drift;
   MaintenanceReport report;
@@ -82,7 +82,7 @@ TEST(Flip, of_the_better_diagonal_is_refused) {
   EXPECT_EQ(judge_flip(r.surface, Kite::diagonal(r), limits()).refused, Refusal::quality);
 }
 
-TEST(Flip, that_cuts_a_ridge_or_changes_too_much_is_refused_by_name) {
+TEST(Flip, that_cuts_a_ridge_or_changes_too_much_is_rejected_by_name) {
   MaintenanceLimits l = limits();
   l.volume_per_operation = 1.0;
   l.sharp_cosine = 0.95;  // the kite's sides meet at 28 degrees for a lift of 0.03
@@ -153,7 +153,7 @@ void visit_edges(const mesh::Surface& s, Visit&& visit) {
 }
 
 /// The worse of the two must gain a tenth.
-RC_GTEST_PROP(Flip, is_refused_unless_the_worse_triangle_gains, ()) {
+RC_GTEST_PROP(Flip, is_rejected_unless_the_worse_triangle_gains, ()) {
   const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.4)));
   visit_edges(rock.surface, [&](const Edge& e) {
     if (std::abs(e.after / e.before - 1.1) < 1e-9) return;
@@ -165,7 +165,7 @@ RC_GTEST_PROP(Flip, is_refused_unless_the_worse_triangle_gains, ()) {
 }
 
 /// Each limit alone, where the quality gains. The better the triangles already are, the less volume may change.
-RC_GTEST_PROP(Flip, is_refused_for_lengths_volume_and_distance_beyond_their_limits, ()) {
+RC_GTEST_PROP(Flip, is_rejected_for_lengths_volume_and_distance_beyond_their_limits, ()) {
   const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.4)));
   constexpr double close =
       1e-6;  // of a limit: rounding decides, also of volumes of thin tetrahedra
@@ -211,7 +211,7 @@ TEST(Flip, notes_its_drift_at_the_new_edge_and_touches_its_corners) {
   EXPECT_EQ(r.touched_list, (std::vector{0, 1, 2, 3}));
 }
 
-TEST(Flip, is_refused_once_the_maintenance_has_moved_the_surface_far) {
+TEST(Flip, is_rejected_once_the_maintenance_has_moved_the_surface_far) {
   const Rock r = kite(0.005).rock();
   SurfaceDrift drift;
   EXPECT_EQ(judge_flip(r.surface, Kite::diagonal(r), limits(), drift).refused, std::nullopt);
@@ -292,7 +292,7 @@ TEST(Blunt, is_part_of_maintenance) {
   EXPECT_GT(rock.surface.position(tip).z(), before);  // z down
 }
 
-TEST(Blunt, is_refused_by_name) {
+TEST(Blunt, is_rejected_by_name) {
   const Rock rock = spiked(2.0);
   MaintenanceLimits l = limits();
   l.volume_per_operation = 1e-6;

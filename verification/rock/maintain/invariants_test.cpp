@@ -47,7 +47,7 @@ Maintained maintained(const Wildness& wild = {}) {
 }
 
 /// M1 to M3 and M5 to M7, with and without flips and smoothing.
-RC_GTEST_PROP(Invariants, hold_after_one_maintenance, ()) {
+RC_GTEST_PROP(Invariants, are_satisfied_after_one_maintenance, ()) {
   const Maintained m = maintained();
   RC_ASSERT(describe(check_maintenance(m.before, m.after, m.limits, m.report, m.work.drift)) == "");
 }

@@ -143,7 +143,7 @@ void visit_inner(const mesh::Surface& s, Visit&& visit) {
 }
 
 /// The worst quality must rise by a fiftieth.
-RC_GTEST_PROP(Smooth, is_refused_unless_the_worst_triangle_gains, ()) {
+RC_GTEST_PROP(Smooth, is_rejected_unless_the_worst_triangle_gains, ()) {
   const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.4)));
   visit_inner(rock.surface, [&](int v, const ByHand& h) {
     const SmoothVerdict found = judge_smooth(rock.surface, v, lax());
@@ -156,7 +156,7 @@ RC_GTEST_PROP(Smooth, is_refused_unless_the_worst_triangle_gains, ()) {
 }
 
 /// Each limit alone, where the quality gains.
-RC_GTEST_PROP(Smooth, is_refused_for_lengths_volume_and_distance_beyond_their_limits, ()) {
+RC_GTEST_PROP(Smooth, is_rejected_for_lengths_volume_and_distance_beyond_their_limits, ()) {
   const Rock rock = rock_of(any_sheet(*battery::number(0.1, 0.4)));
   const mesh::Surface& s = rock.surface;
   constexpr double close = 1e-9;  // of a limit: rounding decides
@@ -221,7 +221,7 @@ TEST(Smooth, leaves_a_sharp_ridge_alone) {
             9);
 }
 
-TEST(Smooth, refuses_the_boundary) {
+TEST(Smooth, rejects_the_boundary) {
   Rock rock = rock_of(battery::bumpy_rock(1.5, 10, 0.0, 7));
   for (int v = 0; v < rock.surface.vertex_slots(); ++v)
     if (rock.surface.is_boundary(v)) {
@@ -267,7 +267,7 @@ TEST(JudgeTurn, lets_upright_triangles_lean_a_little_and_others_not_at_all) {
   EXPECT_FALSE(judge(-0.2, -0.05));
 }
 
-TEST(JudgeTurn, refuses_to_turn_a_normal_far) {
+TEST(JudgeTurn, rejects_to_turn_a_normal_far) {
   MaintenanceLimits limits = limits_with(2.0);
   limits.least_normal_cosine = 0.5;
   const Vec3 up(0.0, 0.0, -3e-6);

@@ -133,7 +133,7 @@ TEST(Untangle, does_not_depend_on_which_corner_comes_first) {
 }
 
 /// Where no place is near enough, the refusals say so, by name.
-TEST(Untangle, counts_why_it_is_refused) {
+TEST(Untangle, counts_why_it_is_rejected) {
   MaintenanceLimits l = limits();
   l.untangle_farthest = 1e-9;  // m: no collapse moves so little
   MaintenanceReport report;
@@ -285,7 +285,7 @@ RC_GTEST_PROP(Trim, accounts_for_the_volume, ()) {
 }
 
 /// Step by step, looking at the last two edge lengths only, ends where one trim ends.
-RC_GTEST_PROP(Trim, may_go_on_from_the_last, ()) {
+RC_GTEST_PROP(Trim, may_continue_from_the_last_plane, ()) {
   Rock once = hole(0.0), often = once;
   TrimWorkspace work;
   TrimReport report_once, report_often;

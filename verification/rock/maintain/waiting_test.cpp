@@ -314,7 +314,7 @@ RC_GTEST_PROP(RenumberedRock, is_the_same_rock, ()) {
   RC_ASSERT(rock.cuts == d.rock.cuts);
 }
 
-RC_GTEST_PROP(RenumberedRock, keeps_the_marks_of_every_vertex_and_what_waits, ()) {
+RC_GTEST_PROP(RenumberedRock, keeps_the_marks_of_every_vertex_and_the_queue, ()) {
   const Drilled d(*scene());
   Rock rock = d.rock;
   RenumberWork work;

@@ -205,7 +205,7 @@ RC_GTEST_PROP(FaceColumns, are_none_between_corners_at_one_place, ()) {
 }
 
 /// They are copied before they have an outline. Written as volatile, so that what was there before stays.
-TEST(FaceColumns, hold_known_values_from_the_start) {
+TEST(FaceColumns, have_known_values_at_the_start) {
   alignas(FaceColumns) unsigned char bytes[sizeof(FaceColumns)];
   for (volatile unsigned char& byte : bytes) byte = 0xA5;
   FaceColumns* made = new (bytes) FaceColumns;
@@ -272,7 +272,7 @@ double least_at_corners(const FaceColumn& c, const ForwardSpeed& v) {
 }
 
 /// All columns in turn, each carried as long as its slowest point requires.
-RC_GTEST_PROP(FaceStrips, hold_every_column_once_and_carry_it_far_enough, ()) {
+RC_GTEST_PROP(FaceStrips, contain_every_column_once_and_carry_it_far_enough, ()) {
   FaceColumns face;
   make_columns(cut_circle(1.0, *battery::number(-0.5, 0.5)).outline, nullptr, face);
   const ForwardSpeed v{*battery::number(1.01, 3.0), battery::direction().operator*().head<2>()};

@@ -176,7 +176,7 @@ std::string refusal(const std::vector<std::string>& settings) {
   return "";
 }
 
-TEST(ReadDrilling, refuses_a_start_that_the_string_cannot_carry) {
+TEST(ReadDrilling, rejects_a_start_that_the_string_cannot_carry) {
   EXPECT_NE(refusal({"motion.weight_at_start=10"})
                 .find("motion.weight_at_start: found 10 N, expected an axial stiffness"),
             std::string::npos);

@@ -105,7 +105,7 @@ TEST(ReadFormation, has_layers_that_dip) {
   EXPECT_EQ(forces::strength_at(rock, Vec3(0.0, -0.03, 0.0)).unconfined, sandstone);
 }
 
-TEST(ReadFormation, refuses_layers_out_of_order) {
+TEST(ReadFormation, rejects_layers_out_of_order) {
   EXPECT_THROW(shale({"rock.layers=[{top='10 mm', material='berea-sandstone'}, {top='5 mm', "
                       "material='mancos-shale'}]"}),
                InputError);

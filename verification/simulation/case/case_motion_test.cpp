@@ -57,7 +57,7 @@ TEST(ReadMotion, follows_its_legs) {
 }
 
 /// Before a path of them is made: it would have a row for every quarter of a turn.
-TEST(ReadMotion, refuses_legs_of_too_many_turns) {
+TEST(ReadMotion, rejects_legs_of_too_many_turns) {
   expect_named(refusal("bit-b-steady",
                        {"motion={kind='legs', legs=[{duration=1, rotary_speed=10}, {duration=1e12, "
                         "rotary_speed=10}]}",

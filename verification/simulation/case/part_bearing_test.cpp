@@ -162,7 +162,7 @@ TEST(WeightOnBit, is_accepted_by_every_bit_that_has_a_law) {
   EXPECT_EQ(refusal(weighted_case("cutter-body", "law = \"none\"\n")), "");  // its own law
 }
 
-TEST(WeightOnBit, is_refused_where_nothing_bears_it) {
+TEST(WeightOnBit, is_rejected_where_nothing_bears_it) {
   const std::string message = refusal(weighted_case("gage-pad", "law = \"none\"\n"));
   EXPECT_NE(
       message.find("case.toml:12: motion.weight_on_bit: found 9000 N, expected 0 N: no part of "
@@ -171,7 +171,7 @@ TEST(WeightOnBit, is_refused_where_nothing_bears_it) {
       << message;
 }
 
-TEST(WeightOnBit, is_refused_beyond_ten_times_what_the_pad_can_carry) {
+TEST(WeightOnBit, is_rejected_beyond_ten_times_what_the_pad_can_carry) {
   const std::string message =
       refusal(weighted_case("gage-pad", "law = \"friction\"\nstress = \"0.1 MPa\"\nmu = 0.3\n"));
   EXPECT_NE(message.find("motion.weight_on_bit: found 9000 N, expected at most 400 N: ten times "

@@ -92,7 +92,7 @@ std::string refusal(const Json& json) {
   return "";
 }
 
-TEST(StudiedConvergence, of_another_file_is_refused) {
+TEST(StudiedConvergence, of_another_file_is_rejected) {
   const auto without = [](const char* key) {
     Json json = of_weight();
     json.erase(key);

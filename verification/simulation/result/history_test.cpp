@@ -148,12 +148,12 @@ TEST(History, the_csv_has_a_head_with_units_and_a_line_for_each_row) {
   EXPECT_EQ(std::count(head.begin(), head.end(), ','), std::count(first.begin(), first.end(), ','));
 }
 
-TEST(History, a_row_for_other_parts_is_refused) {
+TEST(History, a_row_for_other_parts_is_rejected) {
   History history(folder("refused") / "history.nc", parts);
   EXPECT_THROW(history.append(HistoryRow{}), RunError);
 }
 
-TEST(History, a_row_without_what_the_run_has_is_refused) {
+TEST(History, a_row_with_missing_values_is_rejected) {
   for (const bool drives : {true, false}) {
     HistoryExtent extent;
     (drives ? extent.drive : extent.forces) = true;
@@ -169,7 +169,7 @@ TEST(History, a_folder_that_does_not_exist_is_an_error) {
   EXPECT_THROW(History("/proc/no/history.nc", parts), RunError);
 }
 
-TEST(History, a_row_of_a_hundred_parts_costs_less_than_a_tenth_of_a_millisecond) {
+TEST(History, a_row_of_a_hundred_parts_takes_less_than_a_tenth_of_a_millisecond) {
   const std::vector<HistoryPart> many(100, {"cutter/face", "face"});
   const std::vector<double> volumes(100, 1.0 / 3.0);
   History history(folder("cost") / "history.nc", many);
@@ -333,7 +333,7 @@ RC_GTEST_PROP(HistoryWindow, has_means_sums_extremes_and_last_values, ()) {
   }
 }
 
-TEST(HistoryWindow, of_what_is_not_known_has_no_mean_but_extremes) {
+TEST(HistoryWindow, of_undefined_values_has_extremes_but_no_mean) {
   History history(file_in("unknown"), {{"cutter-1/face", "face"}}, extent(), Rows::of_windows);
   Step known, unknown;
   for (Step* s : {&known, &unknown}) s->loads.parts.resize(1);

@@ -81,7 +81,7 @@ TEST_F(ResumeOne, starts_from_scratch_without_a_checkpoint) {
   expect_same_result_files(whole, folder);
 }
 
-TEST_F(ResumeOne, refuses_checkpoints_that_are_all_torn) {
+TEST_F(ResumeOne, rejects_checkpoints_that_are_all_torn) {
   run_until(15, c, options(), false);
   for (const char* name : {"checkpoint.bin", "checkpoint-previous.bin"})
     fs::resize_file(folder / name, 100);
@@ -155,7 +155,7 @@ TEST_F(ResumeOne, removes_the_end_of_the_interrupted_run) {
   EXPECT_TRUE(fs::exists(folder / "frames/rock_final.vtp"));
 }
 
-TEST_F(ResumeOne, refuses_a_folder_without_a_run) {
+TEST_F(ResumeOne, rejects_a_folder_without_a_run) {
   fs::create_directories(folder);
   EXPECT_THROW(read_stopped_case(folder), InputError);
   EXPECT_FALSE(tidy_if_finished(folder));

@@ -178,7 +178,7 @@ TEST(RotateCase, requires_the_unit_of_a_mesh) {
   EXPECT_EQ(refusal("unit_check = \"off\"\n"), "");
 }
 
-TEST(RotateCase, refuses_steps_that_are_longer_than_the_run_or_without_number) {
+TEST(RotateCase, rejects_steps_that_are_longer_than_the_run_or_without_number) {
   const std::string text =
       "[body]\ninertia = [[1,0,0],[0,1,0],[0,0,1]]\n[time]\nduration = 1\nstep = ";
   const auto refusal = [&](const std::string& step) -> std::string {

@@ -48,7 +48,7 @@ Case continued(double step, long first, const std::vector<std::string>& comments
   return c;
 }
 
-TEST(RequireSameTime, refuses_a_first_step_that_is_not_that_of_the_rock) {
+TEST(RequireSameTime, rejects_a_first_step_that_is_not_that_of_the_rock) {
   const std::vector<std::string> stamp = comments_of({100, 100 * 0.002, "0123abcd"});
   EXPECT_NO_THROW(require_same_time(continued(0.002, 100, stamp)));
   EXPECT_NO_THROW(require_same_time(continued(0.001, 200, stamp))) << "half the step";

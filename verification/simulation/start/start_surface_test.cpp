@@ -84,7 +84,7 @@ TEST(StartSurface, of_a_file_has_no_key) {
   EXPECT_EQ(start_surface_key(case_of([](RockStart& r) { r.shape = RockShape::file; })), "");
 }
 
-TEST(StartSurface, of_a_short_way_is_refused_where_the_way_needs_more_memory) {
+TEST(StartSurface, of_a_short_way_is_rejected_where_the_way_needs_more_memory) {
   const Case near = case_with({});
   const StartSurface start = start_surface(near);
   EXPECT_EQ(bytes_of(start_rock(near, start).surface), bytes_of(start_rock(near).surface));

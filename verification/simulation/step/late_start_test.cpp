@@ -121,7 +121,7 @@ TEST(LateStart, is_resumed_from_a_copy_of_the_state) {
 }
 
 /// A cutter that is wholly in rock when it starts has no way for the rock to leave.
-TEST(LateStart, deep_in_rock_is_refused_with_the_part) {
+TEST(LateStart, deep_in_rock_is_rejected_with_the_part) {
   const Case c = with_areas(
       {"a.zone=nose", "a.removal.from_depth='20 mm'", "b.zone=cone", "b.removal.cutting=no"});
   Simulation s = start(c);

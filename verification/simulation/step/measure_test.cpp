@@ -116,7 +116,7 @@ Measures measured_deep_in_rock(const Case& c, double share) {
 
 /// A face out of sight of the rock's surface is in the open, or deep in rock: then it removes more
 /// than half of what it sweeps. Some of that is worn away: a share of 0.8 is enough, 0.3 is not.
-TEST(SectionsDeepInRock, are_refused_where_a_face_removes_what_it_sweeps) {
+TEST(SectionsDeepInRock, are_rejected_where_a_face_removes_what_it_sweeps) {
   const Case c = steady_case(1);
   const Measures deep = measured_deep_in_rock(c, 0.8), open = measured_deep_in_rock(c, 0.3);
   ASSERT_EQ(deep.sections.size(), c.bit.cutters.size());
@@ -129,7 +129,7 @@ TEST(SectionsDeepInRock, are_refused_where_a_face_removes_what_it_sweeps) {
 }
 
 /// A section that cannot be computed is rejected once and does not count until the next one.
-TEST(SectionsInTurn, are_refused_once_each) {
+TEST(SectionsInTurn, are_rejected_once_each) {
   FaceStatistics statistics;
   statistics.revolution.resize(1);
   Measures m;

@@ -155,7 +155,7 @@ TEST(TrimmedWall, keeps_the_disc_and_the_ledger_and_a_bounded_number_of_triangle
   EXPECT_LT(triangles[1], triangles[0]);
 }
 
-TEST(TrimmedWall, is_refused_below_what_cuts) {
+TEST(TrimmedWall, is_rejected_below_what_cuts) {
   const Case c = read_case(TDBD_SOURCE_DIR "/cases/core.toml", {"rock.trim='20 mm'"});
   try {
     start(c);

@@ -113,7 +113,7 @@ TEST(StateVariables, without_cones_have_none_of_theirs) {
   EXPECT_EQ(read_end_state(text, "a").variables.size(), 5u);
 }
 
-TEST(StateVariables, other_texts_are_refused_by_name) {
+TEST(StateVariables, other_texts_are_rejected_by_name) {
   for (const char* text : {"", "no json", "{}", R"({"command": "bit", "duration_s": 1})",
                            R"({"command": "rotate", "duration_s": 1})"}) {
     try {

@@ -16,7 +16,7 @@ const std::string head =
 
 std::string factor(const std::string& rest) { return "[[factors]]\nkey = \"time.step\"\n" + rest; }
 
-TEST(Design, reads_what_it_says) {
+TEST(Design, reads_all_of_its_keys) {
   const Design d = design_from(empty_folder("design"), small_top());
   EXPECT_EQ(d.command, Command::rotate);
   EXPECT_EQ(d.fixed, std::vector<std::string>{"time.duration=2000"});
@@ -56,7 +56,7 @@ TEST(Design, of_a_filter_has_a_planar_one_with_its_figure) {
 }
 
 /// 4000 of 4000 values.
-TEST(Design, refuses_more_points_than_anybody_runs) {
+TEST(Design, rejects_too_many_points) {
   std::string values = "values = [0";
   for (int k = 1; k < 4000; ++k) values += fmt::format(", {}", k);
   const std::string other = "[[factors]]\nkey = \"integrator.order\"\n";
@@ -66,7 +66,7 @@ TEST(Design, refuses_more_points_than_anybody_runs) {
 }
 
 /// One mistake has one line.
-TEST(Design, tells_a_factor_without_values_once) {
+TEST(Design, reports_a_factor_without_values_once) {
   const std::string told = mistake_in(head + factor(""));
   EXPECT_NE(told.find("found neither values nor from and to, expected one of the two"),
             std::string::npos);
@@ -80,7 +80,7 @@ TEST(Design, has_the_keys_of_its_page) {
 }
 
 /// What is wrong, and what the message must say of it.
-TEST(Design, refuses_with_line_and_key) {
+TEST(Design, rejects_with_line_and_key) {
   struct Wrong {
     std::string text, message;
   };

@@ -20,7 +20,7 @@ TEST(Levels, know_number_and_unit_of_a_word) {
 }
 
 /// What a level overrides is the number itself: no digit is lost on the way through the text.
-RC_GTEST_PROP(Levels, read_back_to_the_bit, ()) {
+RC_GTEST_PROP(Levels, are_read_back_bitwise_identical, ()) {
   const double x = *battery::number(-1e6, 1e6);
   RC_ASSERT(level_of(level_at(x, "mm").word).number == x);
   RC_ASSERT(level_of(level_at(x, "").word).number == x);

@@ -72,7 +72,7 @@ TEST(Planar, imbalance_of_drag_alone_goes_with_one_over_the_normal_forces) {
   EXPECT_LT(imbalance(0.8), imbalance(0.4));
 }
 
-TEST(Planar, knows_no_teeth_and_no_bit_that_stands) {
+TEST(Planar, rejects_teeth_and_a_bit_at_rest) {
   EXPECT_THROW(planar_summary(case_with("bit-r-steady.toml", {}), 0.8), InputError);
   const simulation::Case still = case_with("bit-b-steady.toml", {"motion.rate_of_penetration=0"});
   EXPECT_THROW(planar_summary(still, 0.8), InputError);

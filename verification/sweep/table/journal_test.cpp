@@ -90,7 +90,7 @@ RC_GTEST_PROP(Journal, loses_only_the_torn_line, ()) {
   RC_ASSERT(read_journals(folder).size() == whole + 1);
 }
 
-TEST(Journal, refuses_a_line_that_was_changed) {
+TEST(Journal, rejects_a_line_that_was_changed) {
   const fs::path folder = empty_folder("changed");
   Journal(folder / "1-of-1").add("a", record(1.5));
   Journal(folder / "1-of-1").add("b", record(2.5));
@@ -110,7 +110,7 @@ TEST(Journal, refuses_a_line_that_was_changed) {
 
 /// Two shards may have run the same point: the first by name counts, in whatever order a disk has them.
 /// No disk has the first before the second by chance for all these names, whichever was made first.
-TEST(Journal, of_a_point_that_stands_twice_counts_the_first_folder) {
+TEST(Journal, of_a_repeated_point_uses_the_first_folder) {
   for (int shards = 2; shards < 10; ++shards)
     for (const int made_first : {1, 2}) {
       const fs::path folder = empty_folder("twice");

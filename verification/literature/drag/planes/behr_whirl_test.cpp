@@ -116,7 +116,7 @@ TEST(WhirlLoad, does_not_depend_on_the_number_of_planes) {
 
 /// A cutter that turns round near the wall crosses no plane for long, and is felt all that time if
 /// its force is held.
-TEST(WhirlLoad, is_far_too_large_if_forces_are_held_from_plane_to_plane) {
+TEST(WhirlLoad, is_far_too_large_if_forces_are_constant_between_planes) {
   struct Row {
     int planes;
     double ratio, room;
@@ -156,7 +156,7 @@ TEST(SpokeNoise, is_a_quarter_of_the_torque_in_steps_of_a_millisecond) {
 
 /// To hold the last crossing's force removes the noise, and delays: a change is felt only when the
 /// cutter reaches its next plane, up to 4.2 ms later on 120 spokes.
-TEST(SpokeNoise, is_none_if_forces_are_held_which_delays_them) {
+TEST(SpokeNoise, vanishes_if_forces_are_constant_which_delays_them) {
   constexpr double chord = 1e-6;  // when a tip crosses: on the chord of its way, not its arc
   for (const ForceTime time : {ForceTime::held, ForceTime::spread})
     EXPECT_LT(relative_noise(steady_torque(120, time), 1), chord);

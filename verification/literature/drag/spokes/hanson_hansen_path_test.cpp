@@ -177,7 +177,7 @@ TEST(HansonHansenCones, turn_at_the_rolling_ratio_of_their_only_row) {
 }
 
 /// Three cones that start alike stay alike.
-TEST(HansonHansenCones, of_one_kind_turn_alike) {
+TEST(HansonHansenCones, of_one_kind_have_equal_speeds) {
   HansonHansenCones m = hanson_hansen_cones(one_row(45 * mm, 40 * mm, 15), even_drilling());
   for (int i = 0; i < 1500; ++i) advance(m);
   EXPECT_GT(m.load.force_W.squaredNorm() + m.removed, 0.0);

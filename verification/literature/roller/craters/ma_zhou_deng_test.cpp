@@ -230,7 +230,7 @@ TEST(HuangCawthorne, begins_with_a_turn_of_given_ratios) {
   EXPECT_GT(std::abs(r.series.cone_speeds.back() - given), 0.1);
 }
 
-TEST(HuangCawthorne, refuses_a_table_that_is_not_monotone) {
+TEST(HuangCawthorne, rejects_a_table_that_is_not_monotone) {
   ToothTable table = example::tooth_table();
   table.force[4] = 8e3;
   try {
