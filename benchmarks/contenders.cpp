@@ -21,7 +21,7 @@ StepKind step_of(Drilling& d) {
   return every > 0 && d.run.state.steps_done % every == 0 ? StepKind::maintained : StepKind::plain;
 }
 
-MeshFigures figures_of(const Drilling& d) {
+MeshFigures summarize(const Drilling& d) {
   const mesh::Surface& surface = d.run.state.rock.surface;
   const mesh::QualityStatistics quality = mesh::quality_statistics(surface);
   return {surface.triangle_count(), quality.least, quality.one_percent,
@@ -30,7 +30,7 @@ MeshFigures figures_of(const Drilling& d) {
 
 Contender contender(const Workload& w, const std::vector<std::string>& settings) {
   const auto d = std::make_shared<Drilling>(start_workload(w, settings));
-  return {w.name, w.what, [d] { return step_of(*d); }, [d] { return figures_of(*d); }};
+  return {w.name, w.what, [d] { return step_of(*d); }, [d] { return summarize(*d); }};
 }
 
 template <class Rock>

@@ -32,9 +32,9 @@ std::vector<Turns> measure(const std::vector<Contender>& sides, const Condition&
   return turns;
 }
 
-std::vector<Figures> figures_of(const std::vector<Turns>& turns) {
+std::vector<Figures> summarize(const std::vector<Turns>& turns) {
   std::vector<Figures> figures;
-  for (const Turns& t : turns) figures.push_back(figures_of(t));
+  for (const Turns& t : turns) figures.push_back(summarize(t));
   return figures;
 }
 
@@ -46,7 +46,7 @@ void write_histogram(const std::string& file, const std::vector<Contender>& side
   constexpr double per_mean = 10.0;
   double mean = 0.0;
   for (std::size_t i = 0; i < sides.size(); ++i)
-    if (sides[i].name == yardstick) mean = figures_of(turns[i]).mean;
+    if (sides[i].name == yardstick) mean = summarize(turns[i]).mean;
   std::vector<std::vector<long>> counts(sides.size(), std::vector<long>(bins, 0));
   for (std::size_t i = 0; i < sides.size(); ++i)
     for (const double seconds : turns[i].steps)
@@ -75,7 +75,7 @@ void run(const ProgramOptions& wish) {
        {Condition{"warm", 500, wish.warm_turns}, Condition{"cold", 100, wish.cold_turns}}) {
     if (c.turns <= 0) continue;
     const std::vector<Turns> turns = measure(sides, c, clock, counters);
-    conditions.push_back(condition_json(c, sides, figures_of(turns)));
+    conditions.push_back(condition_json(c, sides, summarize(turns)));
     if (c.name == "warm" && !wish.histogram.empty()) write_histogram(wish.histogram, sides, turns);
     fmt::print("{}", condition_text(conditions.back()));
   }

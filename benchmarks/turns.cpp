@@ -82,7 +82,7 @@ void add_turn(const Contender& c, long steps, Clock clock, const Counters& count
   turns.maintained += c.mesh ? c.mesh().maintained - maintained : 0;
 }
 
-Figures figures_of(const Turns& turns) {
+Figures summarize(const Turns& turns) {
   Figures f{*least_of(turns.typical),     quantile(turns.means, 0.5), quantile(turns.steps, 0.99),
             least_of(turns.instructions), least_of(turns.cycles),     {}};
   if (turns.maintained > 0) f.maintenance = turns.maintaining / double(turns.maintained);

@@ -40,6 +40,6 @@ struct Figures {
   std::optional<double> instructions, cycles;  ///< per step: minimum over the turns
   std::optional<double> maintenance;           ///< s per triangle
 };
-Figures figures_of(const Turns& turns);
+Figures summarize(const Turns& turns);
 
 }  // namespace tdbd::bench

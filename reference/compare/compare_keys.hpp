@@ -9,7 +9,8 @@
 namespace tdbd::reference::compare_keys {
 
 inline constexpr TableKey table{"compare", "how the models of chapter 2 are evaluated"};
-inline constexpr TextsKey models{.name = "models", .usual = "all", .meaning = "which models run"};
+inline constexpr TextsKey models{
+    .name = "models", .computed_default = "all", .meaning = "which models run"};
 inline constexpr QuantityKey counted_revolutions{
     .name = "counted_revolutions",
     .fallback = 1.0,
@@ -18,7 +19,7 @@ inline constexpr QuantityKey counted_revolutions{
 inline constexpr QuantityKey weight_on_bit{
     .name = "weight_on_bit",
     .unit = "N",
-    .usual = "the weight that tdbd finds, or that motion gives a string",
+    .computed_default = "the weight that tdbd finds, or that motion gives a string",
     .range = Range::positive(),
     .meaning = "reference weight, for the rate that models find"};
 inline constexpr QuantityKey circle{.name = "circle",
@@ -77,12 +78,12 @@ inline constexpr QuantityKey reference_depth{
     .meaning = "of a virgin groove in which those forces are eps and zeta eps times its area"};
 inline constexpr QuantityKey flat_stress{.name = "flat_stress",
                                          .unit = "Pa",
-                                         .usual = "none: flats stay out",
+                                         .computed_default = "none: flats stay out",
                                          .range = Range::positive(),
                                          .meaning = "under a wear flat"};
 inline constexpr QuantityKey wear_coefficient{.name = "wear_coefficient",
                                               .unit = "m3/(N m)",
-                                              .usual = "none: cutters do not wear",
+                                              .computed_default = "none: cutters do not wear",
                                               .range = Range::positive(),
                                               .meaning = "of a cool flat: volume over work"};
 inline constexpr QuantityKey distance{.name = "distance",
@@ -114,7 +115,7 @@ inline constexpr TableKey roller_table{"compare.roller", "models of roller cone 
 inline constexpr QuantityKey specific_energy{
     .name = "specific_energy",
     .unit = "Pa",
-    .usual = "that at which the weight is the reference weight",
+    .computed_default = "that at which the weight is the reference weight",
     .range = Range::positive(),
     .meaning = "Sheppard and Lesage: of the rock"};
 inline constexpr QuantityKey normal_ratio{
@@ -129,15 +130,15 @@ inline constexpr QuantityKey half_angle{.name = "half_angle",
                                         .meaning = "Sheppard and Lesage: of the bands' cone"};
 inline constexpr PathKey tooth_table{
     .name = "tooth_table",
-    .usual = "that of a sphere under the case's law",
+    .computed_default = "that of a sphere under the case's law",
     .meaning = "single-tooth tests: CSV of depth, force, crater_radius with units"};
 inline constexpr QuantityKey penetration{.name = "penetration",
                                          .unit = "m",
-                                         .usual = "the advance of a revolution",
+                                         .computed_default = "the advance of a revolution",
                                          .range = Range::positive(),
                                          .meaning = "Ma and Azar: of rows into a flat bottom"};
 inline constexpr QuantityKey cone_ratio{.name = "cone_ratio",
-                                        .usual = "that of the outer row without slip",
+                                        .computed_default = "that of the outer row without slip",
                                         .range = Range::positive(),
                                         .meaning = "Ma and Azar: of the cones' speed to the bit's"};
 
@@ -150,10 +151,12 @@ inline constexpr QuantityKey tooth_half_angle{.name = "tooth_half_angle",
 inline constexpr TableKey winters_table{"compare.winters", "Winters, Warren and Onyia"};
 inline constexpr ListKey weights{.name = "weights",
                                  .unit = "N",
-                                 .usual = "none: it is not fitted",
+                                 .computed_default = "none: it is not fitted",
                                  .meaning = "of at least three known rates"};
-inline constexpr ListKey rates{
-    .name = "rates", .unit = "m/s", .usual = "as many as weights", .meaning = "the known rates"};
+inline constexpr ListKey rates{.name = "rates",
+                               .unit = "m/s",
+                               .computed_default = "as many as weights",
+                               .meaning = "the known rates"};
 inline constexpr QuantityKey strength{.name = "strength",
                                       .unit = "Pa",
                                       .fallback = 100e6,

@@ -31,7 +31,7 @@ void print_summary(const simulation::RunSummary& s, const std::string& folder, b
   print_out("{}: {} steps, {:.3f} revolutions, {:.4f} cm3 removed, ledger defect {:.1e}\n",
             s.status == simulation::RunStatus::completed ? "done" : "interrupted", s.steps,
             s.revolutions, 1e6 * s.removed_volume, s.volume_ledger_defect);
-  for (const simulation::ConeFigures& c : s.cones)
+  for (const simulation::ConeSummary& c : s.cones)
     print_out(
         "{}: {:.4f} of the bit's speed (steps {:.4f} to {:.4f}, std {:.4f}); its gage row rolls at "
         "{:.4f}: net slip {:+.2f} %\n",

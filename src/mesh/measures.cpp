@@ -29,7 +29,7 @@ double squared_distance(const Facet& f, const Vec3& x) {
 
 namespace {
 
-QualityStatistics figures_of(std::vector<double> qualities) {
+QualityStatistics summarize(std::vector<double> qualities) {
   if (qualities.empty()) return {};
   const auto one_percent = qualities.begin() + static_cast<std::ptrdiff_t>(qualities.size() / 100);
   std::nth_element(qualities.begin(), one_percent, qualities.end());
@@ -49,7 +49,7 @@ QualityStatistics quality_statistics(const TriangleMesh& m) {
   for (const Triangle& t : m.triangles)
     qualities.push_back(
         triangle_quality(m.positions[at(t[0])], m.positions[at(t[1])], m.positions[at(t[2])]));
-  return figures_of(std::move(qualities));
+  return summarize(std::move(qualities));
 }
 
 QualityStatistics quality_statistics(const Surface& s) {
@@ -57,7 +57,7 @@ QualityStatistics quality_statistics(const Surface& s) {
   for (const Triangle& t : s.triangles)
     if (t[0] >= 0)
       qualities.push_back(triangle_quality(s.position(t[0]), s.position(t[1]), s.position(t[2])));
-  return figures_of(std::move(qualities));
+  return summarize(std::move(qualities));
 }
 
 double enclosed_volume(const TriangleMesh& m) {

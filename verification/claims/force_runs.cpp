@@ -28,8 +28,8 @@ std::vector<std::string> reconstructed(std::vector<std::string> more) {
 
 simulation::LoadStatisticsSummary loads_of(const simulation::Case& c) {
   const simulation::Simulation s = drilled(c);
-  return simulation::figures_of(c.bit, s.statistics.loads,
-                                c.time.step * static_cast<double>(s.state.steps_done));
+  return simulation::summarize(c.bit, s.statistics.loads,
+                               c.time.step * static_cast<double>(s.state.steps_done));
 }
 
 simulation::LoadStatisticsSummary sharp_loads(const std::vector<std::string>& more) {

@@ -27,8 +27,8 @@ struct Turn {
 /// The whole bit at 2 mm a revolution, its second turn.
 Turn whole_bit(const simulation::Case& c) {
   const simulation::Simulation s = drilled(c);
-  const auto loads = simulation::figures_of(c.bit, s.statistics.loads,
-                                            c.time.step * static_cast<double>(s.state.steps_done));
+  const auto loads = simulation::summarize(c.bit, s.statistics.loads,
+                                           c.time.step * static_cast<double>(s.state.steps_done));
   return {loads.wob.mean, loads.tob.mean, c.motion.rate_of_penetration, removed_in(s, 1)};
 }
 

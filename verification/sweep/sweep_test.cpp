@@ -59,7 +59,7 @@ TEST(Sweep, figures_are_those_of_single_runs) {
     simulation::run(simulation::read_case(d.case_file, overrides_at(d, points, i)), options);
     const auto summary = nlohmann::ordered_json::parse(text_of(options.folder / "summary.json"));
     const PointOutcome& point = records.at(keys[static_cast<std::size_t>(i)]).outcome;
-    EXPECT_EQ(point.figures, figures_of(summary, d.figures)) << i;
+    EXPECT_EQ(point.figures, summarize(summary, d.figures)) << i;
     EXPECT_EQ(point.case_hash, summary["case_hash"]) << i;
     EXPECT_GT(point.figures[0], 0.0);
   }
@@ -76,7 +76,7 @@ TEST(Sweep, rotates_and_analyses_too) {
   const auto summary = nlohmann::ordered_json::parse(text_of(options.folder / "summary.json"));
   const PointRecords records = read_journals(points_folder(folder / "top.nc"));
   EXPECT_EQ(records.at(point_keys(top, points_of(top))[3]).outcome.figures,
-            figures_of(summary, top.figures));
+            summarize(summary, top.figures));
 
   const Design deep =
       design_from(folder, "[sweep]\ncase = \"" TDBD_SOURCE_DIR

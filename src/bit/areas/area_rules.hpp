@@ -31,34 +31,34 @@ struct AreaSelector {
     v.name(name_of_kind, {.name = "kind",
                           .names = &part_kind_names,
                           .need = Need::optional,
-                          .usual = "any",
+                          .computed_default = "any",
                           .meaning = "the parts of this kind"});
     if (!name_of_kind.empty()) kind = part_kind_named(name_of_kind);
     v(zone, {.name = "zone",
-             .usual = "any",
+             .computed_default = "any",
              .meaning = "the parts of cutters with this label (cone, nose, shoulder, gage, or that "
                         "of the table); gage: also gage pads and the teeth of gage rows"});
     v(blade, {.name = "blade",
-              .usual = "any",
+              .computed_default = "any",
               .hi = std::numeric_limits<int>::max(),
               .meaning = "the parts of the cutters on this blade"});
     if (parts == Selectable::all) {
       v(cone, {.name = "cone",
-               .usual = "any",
+               .computed_default = "any",
                .lo = 1,
                .hi = std::numeric_limits<int>::max() - 1,
                .meaning = "the parts of cone-K"});
       v(row, {.name = "row",
-              .usual = "any",
+              .computed_default = "any",
               .lo = 1,
               .hi = std::numeric_limits<int>::max() - 1,
               .meaning = "the teeth of row-J, of every cone"});
     }
     v(names,
       {.name = "names",
-       .usual = "any",
+       .computed_default = "any",
        .meaning = "the parts whose names match: * stands for any text, ? for any character"});
-    v(part, {.name = "part", .usual = "any", .meaning = "the part of this name"});
+    v(part, {.name = "part", .computed_default = "any", .meaning = "the part of this name"});
   }
 };
 

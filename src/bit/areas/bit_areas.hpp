@@ -39,44 +39,44 @@ struct AreaProperties {
   void visit(FieldVisitor& v) {
     v(material, {.name = "material",
                  .values = materials,
-                 .usual = "the part's own",
+                 .computed_default = "the part's own",
                  .meaning = "its density, in place of density: steel 7850, tungsten-carbide "
                             "(cemented, with 6 % of cobalt) 14900, pdc-diamond 3500 kg/m3"});
     v(density, {.name = "density",
                 .unit = "kg/m3",
-                .usual = "the part's own",
+                .computed_default = "the part's own",
                 .range = Range::within(0.0, 3e4),
                 .meaning = "of the material; parts whose volume counts elsewhere keep density 0"});
     v(cutting,
       {.name = "removal.cutting",
        .values = {{{"yes", Cutting::cuts}, {"rubs", Cutting::rubs}, {"no", Cutting::never}}},
-       .usual = "the part's own",
+       .computed_default = "the part's own",
        .meaning = "yes: removes rock; rubs: bears on rock by its force law and removes none; no: "
                   "neither"});
     v(share, {.name = "removal.share",
-              .usual = "1",
+              .computed_default = "1",
               .range = {.lo = 0.0, .hi = 1.0, .ends = Range::Ends::open_lo},
               .meaning = "share of the depth of rock in its way that a part removes in one pass; "
                          "the rest stays in place"});
     v(from_depth,
       {.name = "removal.from_depth",
        .unit = "m",
-       .usual = "from the beginning",
+       .computed_default = "from the beginning",
        .range = Range::positive(),
        .meaning = "the parts neither cut nor rub until the bit has moved down this far"});
     v(from_time, {.name = "removal.from_time",
                   .unit = "s",
-                  .usual = "from the beginning",
+                  .computed_default = "from the beginning",
                   .range = Range::positive(),
                   .meaning = "the parts neither cut nor rub before this time of the motion"});
     v(from_wear, {.name = "removal.from_wear",
                   .unit = "m",
-                  .usual = "from the beginning",
+                  .computed_default = "from the beginning",
                   .range = Range::positive(),
                   .meaning = "the parts neither cut nor rub until the flat of a cutter has this "
                              "height (wear of the cutter table); the case needs [wear]"});
     v(worn_names, {.name = "removal.worn_names",
-                   .usual = "*",
+                   .computed_default = "*",
                    .meaning = "the cutters to which removal.from_wear applies, by a pattern of the "
                               "names of their parts"});
   }

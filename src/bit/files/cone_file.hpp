@@ -38,10 +38,11 @@ struct JournalSettings {
   static constexpr TableKey table{"journal",
                                   "the journals of all cones; a cone may have its own values"};
   void visit(FieldVisitor& v) { visit_as(v, "angle", ""); }
-  void visit_as(FieldVisitor& v, std::string_view name_of_angle, std::string_view usual) {
+  void visit_as(FieldVisitor& v, std::string_view name_of_angle,
+                std::string_view computed_default) {
     v(cone.journal_angle, {.name = name_of_angle,
                            .unit = "rad",
-                           .usual = usual,
+                           .computed_default = computed_default,
                            .range = Range::within(0.0, 0.5 * std::numbers::pi),
                            .meaning = "of the journal below the plane normal to the bit's axis"});
     v(cone.offset, {.name = "offset",
@@ -186,19 +187,19 @@ struct ToothRowSettings {
     if (v.when(by_angles)) {
       v(row.angles, {.name = "angles",
                      .unit = "rad",
-                     .usual = "in place of teeth",
+                     .computed_default = "in place of teeth",
                      .meaning = "of the teeth about the journal"});
     }
     if (v.when(!by_angles)) {
       v(teeth, {.name = "teeth",
                 .need = Need::required,
-                .usual = "required without angles",
+                .computed_default = "required without angles",
                 .lo = 1,
                 .hi = 1000,
                 .meaning = "how many"});
       v(first_angle, {.name = "first_angle", .unit = "rad", .meaning = "of the first tooth"});
       v(spacing, {.name = "spacing",
-                  .usual = "equal spaces",
+                  .computed_default = "equal spaces",
                   .meaning = "ratios of the spaces between teeth, repeated"});
     }
   }
@@ -245,19 +246,19 @@ struct LegSettings {
                        .meaning = "from the base of the shell to the leg"});
     v(legs.tip_radius, {.name = "tip_radius",
                         .unit = "m",
-                        .usual = "that of the shell's base",
+                        .computed_default = "that of the shell's base",
                         .range = bit_length,
                         .meaning = "of the shirttail, about the journal"});
     v(legs.shoulder,
       {.name = "shoulder",
        .unit = "m",
-       .usual = "shank.height",
+       .computed_default = "shank.height",
        .range = bit_length,
        .meaning = "height above the bit's origin at which the outer side leaves the gage"});
     v(legs.top,
       {.name = "top",
        .unit = "m",
-       .usual = "the middle of the shank",
+       .computed_default = "the middle of the shank",
        .range = bit_length,
        .meaning = "height above the bit's origin at which the outer side meets the shank"});
     v(legs.density,

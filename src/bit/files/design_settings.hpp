@@ -58,13 +58,13 @@ struct ProfileSettings {
     v(profile.shoulder_angle, {.name = "shoulder_angle",
                                .unit = "rad",
                                .need = need_of_angle,
-                               .usual = "required without shoulder_radius",
+                               .computed_default = "required without shoulder_radius",
                                .range = Range::non_negative(),
                                .meaning = "at which the shoulder's arc begins"});
     v(shoulder_radius, {.name = "shoulder_radius",
                         .unit = "m",
                         .need = Need::optional,
-                        .usual = "in place of shoulder_angle",
+                        .computed_default = "in place of shoulder_angle",
                         .range = bit_length,
                         .meaning = "of the shoulder's arc"});
     v(profile.gage_length,
@@ -109,7 +109,11 @@ struct PlaceValues {
     const auto next = [&](double& x, std::string_view name, double value,
                           std::string_view meaning) {
       x = value;
-      v(x, {.name = name, .unit = unit, .usual = before, .range = range, .meaning = meaning});
+      v(x, {.name = name,
+            .unit = unit,
+            .computed_default = before,
+            .range = range,
+            .meaning = meaning});
     };
     next(nose, "nose", first, "from the nose on");
     next(shoulder, "shoulder", nose, "from the shoulder on");

@@ -35,7 +35,7 @@ struct PartDirection {
 
   void visit(FieldVisitor& v) {
     v(update_direction, {.name = "update_direction",
-                         .usual = "by kind, frame and profile",
+                         .computed_default = "by kind, frame and profile",
                          .meaning = "at azimuth 0, (x, 0, z)"});
   }
 };
@@ -59,7 +59,7 @@ struct PartSettings {
                   .meaning = "what the part is"});
     cutting = part_kind_named(kind) != PartKind::bit_body;
     v(cutting, {.name = "cutting",
-                .usual = "on, except kind bit-body",
+                .computed_default = "on, except kind bit-body",
                 .meaning = "whether it removes rock"});
     v(rubs,
       {.name = "rubs", .meaning = "not cutting: whether it bears on rock, by the law of its kind"});
@@ -99,27 +99,28 @@ struct SolidRuleSettings {
     v(match, {.name = "match",
               .need = Need::required,
               .meaning = "a name; * stands for any text, ? for any character"});
-    v(name, {.name = "name", .usual = "that of the solid", .meaning = "in place of its own"});
+    v(name,
+      {.name = "name", .computed_default = "that of the solid", .meaning = "in place of its own"});
     std::string kind_name;
     v.name(kind_name, {.name = "kind",
                        .names = &part_kind_names,
                        .need = Need::optional,
-                       .usual = "by its name",
+                       .computed_default = "by its name",
                        .meaning = "what the part is"});
     if (!kind_name.empty()) kind = kind_name;
     v(cutting, {.name = "cutting",
-                .usual = "on, except bodies and cones",
+                .computed_default = "on, except bodies and cones",
                 .meaning = "whether it removes rock"});
     v(rubs, {.name = "rubs",
-             .usual = "false",
+             .computed_default = "false",
              .meaning = "not cutting: whether it bears on rock, by the law of its kind"});
     v(density, {.name = "density",
                 .unit = "kg/m3",
-                .usual = "none",
+                .computed_default = "none",
                 .range = any_density,
                 .meaning = "of the solid"});
     v(group, {.name = "group",
-              .usual = "by cutter",
+              .computed_default = "by cutter",
               .lo = -1,
               .hi = std::numeric_limits<int>::max(),
               .meaning = "as of parts"});
@@ -131,13 +132,13 @@ struct SolidRuleSettings {
       {.name = "cutter_position",
        .unit = "m",
        .need = need,
-       .usual = "none",
+       .computed_default = "none",
        .meaning = "centre of the face of the solid's cutter; with it a face carries forces"});
     v(cutter_rotation_vector,
       {.name = "cutter_rotation_vector",
        .unit = "rad",
        .need = need,
-       .usual = "none",
+       .computed_default = "none",
        .meaning = "of the cutter's frame: X out of the face, -Z towards the rock"});
   }
 };

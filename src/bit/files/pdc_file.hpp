@@ -35,7 +35,7 @@ struct CutterTableFile {
   void visit(FieldVisitor& v) {
     v.path(table_file, {.name = "table",
                         .need = Need::required,
-                        .usual = "one of table, design, parts, solids, cones",
+                        .computed_default = "one of table, design, parts, solids, cones",
                         .meaning = "the cutter table (CSV)"});
   }
 };
@@ -48,7 +48,7 @@ struct GageDiameter {
     v(gage_diameter, {.name = "gage_diameter",
                       .unit = "m",
                       .need = gage_diameter > 0.0 ? Need::defaulted : Need::required,
-                      .usual = "no limit; required with a design",
+                      .computed_default = "no limit; required with a design",
                       .range = bit_length,
                       .meaning = "no cutter or tooth reaches outside it"});
   }

@@ -13,13 +13,13 @@
 namespace tdbd::bit {
 namespace {
 
-struct ConeFigures {
+struct ConeSummary {
   ConeMass mass;
   double ratio = 0.0;
   ConeAssumptions assumptions;
 };
 
-ConeFigures figures_of(const Bit& bit, int cone, double bit_speed) {
+ConeSummary summarize(const Bit& bit, int cone, double bit_speed) {
   const double ratio = rolling_ratio_of_gage_row(bit.cones[static_cast<std::size_t>(cone)]);
   return {cone_mass(bit, cone), ratio, cone_assumptions(bit, cone, bit_speed, ratio)};
 }
@@ -28,7 +28,7 @@ ConeFigures figures_of(const Bit& bit, int cone, double bit_speed) {
 
 void add_assumptions(const Bit& bit, double bit_speed, nlohmann::ordered_json& file) {
   for (int k = 0; k < static_cast<int>(bit.cones.size()); ++k) {
-    const auto [mass, ratio, a] = figures_of(bit, k, bit_speed);
+    const auto [mass, ratio, a] = summarize(bit, k, bit_speed);
     file["cones"][static_cast<std::size_t>(k)].update(
         {{"asymmetry", mass.asymmetry},
          {"centre_off_axis_m", mass.centre_off_axis},
@@ -49,7 +49,7 @@ void add_assumptions(const Bit& bit, double bit_speed, nlohmann::ordered_json& f
 std::string assumptions_text(const Bit& bit, double bit_speed) {
   std::string text;
   for (int k = 0; k < static_cast<int>(bit.cones.size()); ++k) {
-    const ConeAssumptions a = figures_of(bit, k, bit_speed).assumptions;
+    const ConeAssumptions a = summarize(bit, k, bit_speed).assumptions;
     text += fmt::format(
         "{}: assumptions at {:.3f} rad/s of the bit, {:.3f} Hz of the cone: unbalance {:.3g} N "
         "({:.2g} of the weight), gravity {:.3g} N m, bit's inertia modulated by {:.2g} once and "
@@ -145,7 +145,7 @@ constexpr double sweep_from = 1.0, sweep_step = 0.005;
 constexpr int sweep_points = 161;
 
 /// A row of the bit and its tracking. No prints if its teeth never lose contact with the bottom.
-struct RowFigures {
+struct RowSummary {
   const Cone* cone = nullptr;
   const ToothRow* row = nullptr;
   int number = 0;  ///< of the row on its cone, from 1
@@ -162,14 +162,14 @@ TrackingOptions options_for(const ConeOperation& o) {
   return options;
 }
 
-std::vector<RowFigures> figures_of(const Bit& bit, const ConeOperation& o) {
-  std::vector<RowFigures> figures;
+std::vector<RowSummary> summarize(const Bit& bit, const ConeOperation& o) {
+  std::vector<RowSummary> figures;
   const std::vector<BitRow> rows = bit_rows(bit, o.penetration);
   const auto shares = tracking(rows, o.cone_speeds, options_for(o));
   for (std::size_t k = 0; k < bit.cones.size(); ++k)
     for (std::size_t j = 0; j < bit.cones[k].layout.rows.size(); ++j) {
       const ToothRow& row = bit.cones[k].layout.rows[j];
-      RowFigures& f = figures.emplace_back();
+      RowSummary& f = figures.emplace_back();
       f.cone = &bit.cones[k];
       f.row = &row;
       f.number = static_cast<int>(j) + 1;
@@ -185,9 +185,9 @@ std::vector<RowFigures> figures_of(const Bit& bit, const ConeOperation& o) {
 }
 
 /// The combined share of the rows of one cone, or of all rows.
-TrackingShare together(const std::vector<RowFigures>& figures, const Cone* cone) {
+TrackingShare together(const std::vector<RowSummary>& figures, const Cone* cone) {
   std::vector<TrackingShare> shares;
-  for (const RowFigures& f : figures)
+  for (const RowSummary& f : figures)
     if (cone == nullptr || f.cone == cone) shares.push_back(f.tracking);
   return combined(shares);
 }
@@ -199,7 +199,7 @@ void add_shares(Json& json, const TrackingShare& t) {
   json["tracking_share_by_lag"] = t.share;
 }
 
-Json row_json(const RowFigures& f) {
+Json row_json(const RowSummary& f) {
   Json json{{"prints_per_revolution", f.speed * static_cast<double>(f.row->angles.size())},
             {"print_width_m", f.width},
             {"tooth_contact_ratio", f.contact_ratio}};
@@ -207,12 +207,12 @@ Json row_json(const RowFigures& f) {
   return json;
 }
 
-void add_to_cone(const Cone& cone, double speed, const std::vector<RowFigures>& figures,
+void add_to_cone(const Cone& cone, double speed, const std::vector<RowSummary>& figures,
                  Json& json) {
   json["speed_ratio"] = speed;
   json["rolling_ratio_gage_row"] = rolling_ratio_of_gage_row(cone);
   add_shares(json, together(figures, &cone));
-  for (const RowFigures& f : figures)
+  for (const RowSummary& f : figures)
     if (f.cone == &cone) json["rows"][static_cast<std::size_t>(f.number) - 1].update(row_json(f));
 }
 
@@ -255,7 +255,7 @@ ConeOperation cone_operation(const Bit& bit, const std::vector<double>& cone_spe
 
 void add_tracking(const Bit& bit, const ConeOperation& o, Json& file) {
   if (bit.cones.empty()) return;
-  const std::vector<RowFigures> figures = figures_of(bit, o);
+  const std::vector<RowSummary> figures = summarize(bit, o);
   const TrackingOptions options = options_for(o);
   for (std::size_t k = 0; k < bit.cones.size(); ++k)
     add_to_cone(bit.cones[k], o.cone_speeds[k], figures, file["cones"][k]);
@@ -269,11 +269,11 @@ void add_tracking(const Bit& bit, const ConeOperation& o, Json& file) {
 
 std::string tracking_text(const Bit& bit, const ConeOperation& o) {
   if (bit.cones.empty()) return "";
-  const std::vector<RowFigures> figures = figures_of(bit, o);
+  const std::vector<RowSummary> figures = summarize(bit, o);
   std::string text =
       fmt::format("{:<8} {:>3} {:>6} {:>7} {:>10} {:>9} {:>10} {:>12}\n", "cone", "row", "speed",
                   "contact", "prints/rev", "width mm", "tracking %", "at random %");
-  for (const RowFigures& f : figures) {
+  for (const RowSummary& f : figures) {
     text += fmt::format("{:<8} {:>3} {:>6.3f} {:>7.2f}", f.cone->name, f.number, f.speed,
                         f.contact_ratio);
     if (f.tracking.prints > 0)

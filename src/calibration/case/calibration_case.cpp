@@ -65,7 +65,7 @@ struct AnyBit {
   void visit(FieldVisitor& v) {
     v.any({.name = "NAME",
            .kind = "file",
-           .usual = "no such bit",
+           .computed_default = "no such bit",
            .meaning = "the bit file of the bit that records call NAME"});
   }
 };
@@ -74,7 +74,7 @@ struct AnyCoefficient {
   void visit(FieldVisitor& v) {
     v.any({.name = "KEY",
            .kind = "that of the coefficient",
-           .usual = "the coefficient's, or fitted",
+           .computed_default = "the coefficient's, or fitted",
            .meaning = "a coefficient of the law, as in [forces]"});
   }
 };
@@ -84,7 +84,7 @@ struct AnyAreaCoefficient {
   void visit(FieldVisitor& v) {
     v.any({.name = "KEY",
            .kind = "that of the coefficient",
-           .usual = "that of the parts in no area, or fitted",
+           .computed_default = "that of the parts in no area, or fitted",
            .meaning = "a coefficient of the law, as in [forces]"});
   }
 };

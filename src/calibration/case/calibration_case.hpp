@@ -118,13 +118,13 @@ struct UnknownSettings {
               .meaning = "first value, and the prior's; in the coefficient's unit"});
     v(prior_sd, {.name = "prior_sd",
                  .unit = unit,
-                 .usual = "no prior",
+                 .computed_default = "no prior",
                  .range = Range::positive(),
                  .meaning = "standard deviation of the prior around start"});
     v(range, {.name = "range",
               .unit = unit,
               .need = Need::optional,
-              .usual = "that of the coefficient",
+              .computed_default = "that of the coefficient",
               .meaning = "[lowest, highest], in the coefficient's unit"});
   }
 };
@@ -222,13 +222,14 @@ struct CalibrationSettings {
     v.path(records, {.name = "records",
                      .need = Need::required,
                      .meaning = "the readings, csv with units in the header"});
-    v(fit_bits,
-      {.name = "fit_bits", .usual = "none", .meaning = "bits or cutters whose records are fitted"});
+    v(fit_bits, {.name = "fit_bits",
+                 .computed_default = "none",
+                 .meaning = "bits or cutters whose records are fitted"});
     v(predict_bits, {.name = "predict_bits",
-                     .usual = "none",
+                     .computed_default = "none",
                      .meaning = "bits or cutters whose records are predicted"});
     v(leave_out, {.name = "leave_out",
-                  .usual = "none",
+                  .computed_default = "none",
                   .meaning = "tests that are neither fitted nor predicted"});
     v(pressures,
       {.name = "pressures",

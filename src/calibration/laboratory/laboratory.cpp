@@ -28,7 +28,8 @@ struct LaboratorySettings {
   static constexpr TableKey table{"laboratory", "tests that a synthetic laboratory makes"};
   void visit(FieldVisitor& v) {
     visit_law(v);
-    v(bits, {.name = "bits", .usual = "all of [bits]", .meaning = "the bits that are tested"});
+    v(bits,
+      {.name = "bits", .computed_default = "all of [bits]", .meaning = "the bits that are tested"});
     v(pressures, {.name = "pressures",
                   .unit = "Pa",
                   .need = Need::required,
@@ -58,7 +59,7 @@ struct AnyTruth {
   void visit(FieldVisitor& v) {
     v.any({.name = "KEY",
            .kind = "that of the coefficient",
-           .usual = "the coefficient's",
+           .computed_default = "the coefficient's",
            .meaning = "a coefficient of the law, as in [forces]"});
   }
 };
@@ -68,7 +69,7 @@ struct AnyAreaTruth {
   void visit(FieldVisitor& v) {
     v.any({.name = "KEY",
            .kind = "that of the coefficient",
-           .usual = "that of the parts in no area",
+           .computed_default = "that of the parts in no area",
            .meaning = "a coefficient of the law, as in [forces]"});
   }
 };

@@ -80,10 +80,10 @@ double quantile(const std::vector<double>& sorted, double share) {
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-BootstrapFigures figures_of(std::vector<double> values, double level) {
+BootstrapSummary summarize(std::vector<double> values, double level) {
   std::sort(values.begin(), values.end());
   const auto n = static_cast<double>(values.size());
-  BootstrapFigures f;
+  BootstrapSummary f;
   for (const double v : values) f.mean += v / n;
   double squares = 0.0;
   for (const double v : values) squares += (v - f.mean) * (v - f.mean);
@@ -153,7 +153,7 @@ Bootstrap bootstrap(const Fit& f, const Intervals& intervals) {
   }
   if (b.failed < b.replicates)
     for (const std::vector<double>& v : values)
-      b.coefficients.push_back(figures_of(v, intervals.level));
+      b.coefficients.push_back(summarize(v, intervals.level));
   return b;
 }
 

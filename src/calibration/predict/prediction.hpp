@@ -61,13 +61,13 @@ std::vector<std::string> extrapolations(const std::vector<Sample>& fitted,
                                         const std::vector<Sample>& predicted);
 
 /// Distribution of a coefficient over replicates.
-struct BootstrapFigures {
+struct BootstrapSummary {
   double mean = 0.0, se = 0.0, low = 0.0, high = 0.0;  ///< SI; percentiles for the interval level
 };
 
 struct Bootstrap {
   long replicates = 0, failed = 0;
-  std::vector<BootstrapFigures> coefficients;  ///< in the order of the unknowns; may be empty
+  std::vector<BootstrapSummary> coefficients;  ///< in the order of the unknowns; may be empty
 };
 
 /// Parametric bootstrap: readings are drawn around the fitted loads, and prior centres around the

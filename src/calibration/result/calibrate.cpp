@@ -222,7 +222,7 @@ Json coefficient_json(const FittedSet& set, std::size_t k) {
   const auto& prior = set.fit.problem.unknowns[k].prior_sd;
   json["prior_sd"] = prior ? Json(*prior) : Json();
   if (set.replicates.coefficients.empty()) return json;
-  const BootstrapFigures& b = set.replicates.coefficients[k];
+  const BootstrapSummary& b = set.replicates.coefficients[k];
   json["bootstrap"] = {{"mean", b.mean}, {"se", b.se}, {"low", b.low}, {"high", b.high}};
   return json;
 }

@@ -57,7 +57,7 @@ class Config {
     return read(key, std::optional<std::vector<std::string>>());
   }
 
-  /// Reads a key whose fallback is computed (`usual`). Without a fallback, the key is required.
+  /// Reads a key whose fallback is computed (`computed_default`). Without a fallback, the key is required.
   double read(const QuantityKey& key, std::optional<double> fallback);
   Vec3 read(const VectorKey& key, const std::optional<Vec3>& fallback);
   std::vector<double> read(const ListKey& key, std::optional<std::vector<double>> fallback);
@@ -113,8 +113,8 @@ class Config {
   bool flag(std::string_view key, std::optional<bool> fallback);
   std::string text(std::string_view key, std::optional<std::string> fallback);
   /// Reads a text, a number or a flag, or an array of them, as written in the file.
-  ConfigWord word(std::string_view key, const std::optional<ConfigWord>& fallback);
-  std::vector<ConfigWord> words(std::string_view key);
+  ConfigScalar word(std::string_view key, const std::optional<ConfigScalar>& fallback);
+  std::vector<ConfigScalar> words(std::string_view key);
   /// Returns all values below this table as overrides "a.b=value" for another file.
   std::vector<std::string> assignments();
   /// Reads the path of an existing file or folder, relative to the folder of the case file. Returns
@@ -209,8 +209,8 @@ class FieldReader final : public FieldVisitor {
   void operator()(long& x, const IntegerKey& key) override;
   void operator()(bool& x, const FlagKey& key) override;
   void operator()(std::string& x, const TextKey& key) override;
-  void operator()(ConfigWord& x, const WordKey& key) override;
-  void operator()(std::vector<ConfigWord>& x, const WordsKey& key) override;
+  void operator()(ConfigScalar& x, const ScalarKey& key) override;
+  void operator()(std::vector<ConfigScalar>& x, const ScalarsKey& key) override;
   void path(std::string& x, const PathKey& key) override;
   void name(std::string& x, const NameKey& key) override;
   void any(const AnyKey&) override {}

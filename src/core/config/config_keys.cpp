@@ -119,11 +119,11 @@ void FieldReader::operator()(std::string& x, const TextKey& key) {
   if (reads(key, key.need)) x = table_.text(key, fallback(key.need, x));
 }
 
-void FieldReader::operator()(ConfigWord& x, const WordKey& key) {
+void FieldReader::operator()(ConfigScalar& x, const ScalarKey& key) {
   if (reads(key.name, key.need)) x = table_.word(key, fallback(key.need, x));
 }
 
-void FieldReader::operator()(std::vector<ConfigWord>& x, const WordsKey& key) {
+void FieldReader::operator()(std::vector<ConfigScalar>& x, const ScalarsKey& key) {
   if (reads(key, key.need)) x = table_.words(key);
 }
 
@@ -148,10 +148,10 @@ namespace {
 constexpr const char* a_word = "a text, a number, or true or false";
 
 /// Returns nothing for a table or an array.
-std::optional<ConfigWord> word_of(const toml::node& node) {
+std::optional<ConfigScalar> word_of(const toml::node& node) {
   if (!node.is_string() && !node.is_number() && !node.is_boolean()) return std::nullopt;
   const auto text = node.as_string();
-  return ConfigWord{text != nullptr ? text->get() : describe(&node), describe(&node)};
+  return ConfigScalar{text != nullptr ? text->get() : describe(&node), describe(&node)};
 }
 
 /// Formats a value of any type as one line of TOML.
@@ -172,35 +172,35 @@ std::string one_line(const toml::node& node) {
 
 }  // namespace
 
-ConfigWord Config::word(std::string_view key, const std::optional<ConfigWord>& fallback) {
+ConfigScalar Config::word(std::string_view key, const std::optional<ConfigScalar>& fallback) {
   const std::string name = full(key);
   const toml::node* node = document_->find(name);
   if (node == nullptr) {
     if (!fallback)
       document_->add_problem(name, "nothing", fmt::format("{} (the key is required)", a_word));
-    const ConfigWord word = fallback.value_or(ConfigWord{"", "\"\""});
+    const ConfigScalar word = fallback.value_or(ConfigScalar{"", "\"\""});
     document_->values.try_emplace(name, ResolvedValue{word.toml, "", ""});
     return word;
   }
-  const std::optional<ConfigWord> word = word_of(*node);
+  const std::optional<ConfigScalar> word = word_of(*node);
   if (!word) document_->add_problem(name, describe(node), a_word);
   document_->values.try_emplace(name, ResolvedValue{word ? word->toml : "\"\"", "", ""});
-  return word.value_or(ConfigWord{"", "\"\""});
+  return word.value_or(ConfigScalar{"", "\"\""});
 }
 
-std::vector<ConfigWord> Config::words(std::string_view key) {
+std::vector<ConfigScalar> Config::words(std::string_view key) {
   const std::string name = full(key);
   const toml::node* node = document_->find(name);
-  std::vector<ConfigWord> words;
+  std::vector<ConfigScalar> words;
   const toml::array* array = node == nullptr ? nullptr : node->as_array();
   if (array == nullptr || array->empty())
     document_->add_problem(name, array == nullptr ? describe(node) : "no value",
                            fmt::format("an array of at least one value, each {}", a_word));
   if (array != nullptr)
     for (const toml::node& element : *array) {
-      const std::optional<ConfigWord> word = word_of(element);
+      const std::optional<ConfigScalar> word = word_of(element);
       if (!word) document_->add_problem(name, describe(&element), a_word);
-      words.push_back(word.value_or(ConfigWord{"", "\"\""}));
+      words.push_back(word.value_or(ConfigScalar{"", "\"\""}));
     }
   document_->values.try_emplace(name,
                                 ResolvedValue{node == nullptr ? "[]" : one_line(*node), "", ""});

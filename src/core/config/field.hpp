@@ -39,16 +39,17 @@ enum class Need {
 };
 
 // The keys of an input file. A settings struct declares each of them with the field that it sets
-// (core/config/fields.hpp). All types have the following members, and convert to their name:
-//   name      in its table
-//   need      what happens if the file does not give the key
-//   usual     the default in words if it is not the field's initial value ("one turn of the bit"),
-//             or if the key is required
-//   meaning   one line for users
-//   fallback  the default of a key that sets no field; without it and `usual` it is required
+// (`visit`, below). All types have the following members, and convert to their name:
+//   name              in its table
+//   need              what happens if the file does not give the key
+//   computed_default  the default in words if it is not the field's initial value ("one turn of the
+//                     bit"), or if the key is required
+//   meaning           one line for users
+//   fallback          the default of a key that sets no field; without it and `computed_default` it
+//                     is required
 
 /// A value of a type that the reader does not know: as written, and as TOML.
-struct ConfigWord {
+struct ConfigScalar {
   std::string text;  ///< "60 rpm", "0.5", "true"
   std::string toml;  ///< "\"60 rpm\"", "0.5", "true"
 };
@@ -59,7 +60,7 @@ struct QuantityKey {
   std::string_view unit = "1";
   std::optional<double> fallback = {};
   Need need = Need::defaulted;
-  std::string_view usual = {};
+  std::string_view computed_default = {};
   Range range = {};
   std::string_view meaning = {};
   constexpr operator std::string_view() const { return name; }
@@ -71,7 +72,7 @@ struct VectorKey {
   std::string_view unit = "1";
   std::optional<std::array<double, 3>> fallback = {};
   Need need = Need::defaulted;
-  std::string_view usual = {};
+  std::string_view computed_default = {};
   std::string_view meaning = {};
   constexpr operator std::string_view() const { return name; }
 };
@@ -82,7 +83,7 @@ struct ArrayKey {
   std::string_view name;
   std::string_view unit = "1";
   Need need = Need::defaulted;
-  std::string_view usual = {};
+  std::string_view computed_default = {};
   std::string_view meaning = {};
   constexpr operator std::string_view() const { return name; }
 };
@@ -94,7 +95,7 @@ using MatrixKey = ArrayKey<Mat3>;                                   ///< 3 x 3, 
 struct TextsKey {
   std::string_view name;
   Need need = Need::defaulted;
-  std::string_view usual = {};
+  std::string_view computed_default = {};
   std::string_view meaning = {};
   constexpr operator std::string_view() const { return name; }
 };
@@ -104,7 +105,7 @@ struct IntegerKey {
   std::string_view name;
   std::optional<long> fallback = {};
   Need need = Need::defaulted;
-  std::string_view usual = {};
+  std::string_view computed_default = {};
   long lo = 0;
   long hi = std::numeric_limits<long>::max();
   std::string_view meaning = {};
@@ -116,7 +117,7 @@ struct FlagKey {
   std::string_view name;
   std::optional<bool> fallback = {};
   Need need = Need::defaulted;
-  std::string_view usual = {};
+  std::string_view computed_default = {};
   std::string_view meaning = {};
   constexpr operator std::string_view() const { return name; }
 };
@@ -125,24 +126,24 @@ struct TextKey {
   std::string_view name;
   std::optional<std::string_view> fallback = {};
   Need need = Need::defaulted;
-  std::string_view usual = {};
+  std::string_view computed_default = {};
   std::string_view meaning = {};
   constexpr operator std::string_view() const { return name; }
 };
 
 /// A text, a number or a flag, as written in the file (Config::word), or an array of them
 /// (Config::words).
-struct WordKey {
+struct ScalarKey {
   std::string_view name;
   Need need = Need::defaulted;
-  std::string_view usual = {};
+  std::string_view computed_default = {};
   std::string_view meaning = {};
   constexpr operator std::string_view() const { return name; }
 };
-struct WordsKey {
+struct ScalarsKey {
   std::string_view name;
   Need need = Need::defaulted;
-  std::string_view usual = {};
+  std::string_view computed_default = {};
   std::string_view meaning = {};
   constexpr operator std::string_view() const { return name; }
 };
@@ -151,7 +152,7 @@ struct WordsKey {
 struct AnyKey {
   std::string_view name;  ///< "KEY"
   std::string_view kind;  ///< in words
-  std::string_view usual = {};
+  std::string_view computed_default = {};
   std::string_view meaning = {};
 };
 
@@ -159,7 +160,7 @@ struct AnyKey {
 struct PathKey {
   std::string_view name;
   Need need = Need::defaulted;
-  std::string_view usual = {};
+  std::string_view computed_default = {};
   std::string_view meaning = {};
   constexpr operator std::string_view() const { return name; }
 };
@@ -175,7 +176,7 @@ struct ChoiceKey {
   std::array<Named, 8> values = {};
   std::optional<E> fallback = {};
   Need need = Need::defaulted;
-  std::string_view usual = {};
+  std::string_view computed_default = {};
   std::string_view meaning = {};
   constexpr operator std::string_view() const { return name; }
 };
@@ -185,7 +186,7 @@ struct NameKey {
   std::string_view name;
   std::vector<std::string_view> (*names)() = nullptr;
   Need need = Need::defaulted;
-  std::string_view usual = {};
+  std::string_view computed_default = {};
   std::string_view meaning = {};
   constexpr operator std::string_view() const { return name; }
 };
@@ -210,7 +211,7 @@ struct NamedChoice {
   std::vector<std::string_view> names;
   std::optional<std::size_t> index;  ///< of the field's value; empty if it has no name
   Need need = Need::defaulted;
-  std::string_view usual, meaning;
+  std::string_view computed_default, meaning;
 };
 
 /// Visits the fields of a settings struct. Each settings struct declares its fields once:
@@ -241,8 +242,8 @@ class FieldVisitor {
   virtual void operator()(long& x, const IntegerKey& key) = 0;
   virtual void operator()(bool& x, const FlagKey& key) = 0;
   virtual void operator()(std::string& x, const TextKey& key) = 0;
-  virtual void operator()(ConfigWord& x, const WordKey& key) = 0;
-  virtual void operator()(std::vector<ConfigWord>& x, const WordsKey& key) = 0;
+  virtual void operator()(ConfigScalar& x, const ScalarKey& key) = 0;
+  virtual void operator()(std::vector<ConfigScalar>& x, const ScalarsKey& key) = 0;
   virtual void path(std::string& x, const PathKey& key) = 0;  ///< returned absolute
   virtual void name(std::string& x, const NameKey& key) = 0;  ///< of a list declared elsewhere
   virtual void any(const AnyKey& key) = 0;                    ///< listed, but read elsewhere
@@ -264,7 +265,7 @@ class FieldVisitor {
   template <class E>
   requires std::is_enum_v<E>
   void operator()(E& x, const ChoiceKey<E>& key) {
-    NamedChoice choice{key.name, {}, {}, key.need, key.usual, key.meaning};
+    NamedChoice choice{key.name, {}, {}, key.need, key.computed_default, key.meaning};
     for (std::size_t i = 0; i < key.values.size() && !key.values[i].name.empty(); ++i) {
       choice.names.push_back(key.values[i].name);
       if (key.values[i].value == x && !choice.index) choice.index = i;
@@ -308,7 +309,7 @@ class FieldVisitor {
   template <class T, class Key>
   void visit_if_given(std::optional<T>& x, Key key) {
     key.need = Need::optional;
-    if (key.usual.empty()) key.usual = "none";
+    if (key.computed_default.empty()) key.computed_default = "none";
     T value{};
     (*this)(value, key);
     if (gives(key.name)) x = value;

@@ -18,8 +18,8 @@ std::string with_unit(const std::string& number, std::string_view unit) {
 }
 
 /// The default of a key without a fixed fallback, in words.
-std::string other_fallback(std::string_view usual) {
-  return usual.empty() ? "required" : std::string(usual);
+std::string other_fallback(std::string_view computed_default) {
+  return computed_default.empty() ? "required" : std::string(computed_default);
 }
 
 std::string in_words(const Range& range) {
@@ -34,9 +34,9 @@ std::string comma_list(const std::vector<std::string_view>& names) {
   return all;
 }
 
-KeyRow array_row(std::string_view name, const std::string& kind, std::string_view usual,
+KeyRow array_row(std::string_view name, const std::string& kind, std::string_view computed_default,
                  std::string_view meaning) {
-  return {std::string(name), kind, other_fallback(usual), "", std::string(meaning)};
+  return {std::string(name), kind, other_fallback(computed_default), "", std::string(meaning)};
 }
 
 /// The row of a key with a fixed fallback, formatted as in a file.
@@ -48,7 +48,7 @@ KeyRow with_fallback(KeyRow row, const std::string& toml) {
 }  // namespace
 
 KeyRow row(const QuantityKey& key) {
-  KeyRow r = array_row(key.name, in_unit(key.unit), key.usual, key.meaning);
+  KeyRow r = array_row(key.name, in_unit(key.unit), key.computed_default, key.meaning);
   r.allowed = in_words(key.range);
   if (!key.fallback) return r;
   if (!std::isfinite(*key.fallback)) return with_fallback(std::move(r), "no limit");
@@ -58,37 +58,37 @@ KeyRow row(const QuantityKey& key) {
 }
 
 KeyRow row(const VectorKey& key) {
-  KeyRow r = array_row(key.name, "three " + in_unit(key.unit), key.usual, key.meaning);
+  KeyRow r = array_row(key.name, "three " + in_unit(key.unit), key.computed_default, key.meaning);
   if (!key.fallback) return r;
   const auto& [x, y, z] = *key.fallback;
   return with_fallback(std::move(r), fmt::format("[{}, {}, {}]", x, y, z));
 }
 
 KeyRow row(const ListKey& key) {
-  return array_row(key.name, "list of " + in_unit(key.unit), key.usual, key.meaning);
+  return array_row(key.name, "list of " + in_unit(key.unit), key.computed_default, key.meaning);
 }
 
 KeyRow row(const TextsKey& key) {
-  return array_row(key.name, "list of texts", key.usual, key.meaning);
+  return array_row(key.name, "list of texts", key.computed_default, key.meaning);
 }
 
 KeyRow row(const PairsKey& key) {
-  return array_row(key.name, "pairs of " + in_unit(key.unit), key.usual, key.meaning);
+  return array_row(key.name, "pairs of " + in_unit(key.unit), key.computed_default, key.meaning);
 }
 
 KeyRow row(const MatrixKey& key) {
-  return array_row(key.name, "3 x 3 " + in_unit(key.unit), key.usual, key.meaning);
+  return array_row(key.name, "3 x 3 " + in_unit(key.unit), key.computed_default, key.meaning);
 }
 
 KeyRow row(const IntegerKey& key) {
-  KeyRow r = array_row(key.name, "whole number", key.usual, key.meaning);
+  KeyRow r = array_row(key.name, "whole number", key.computed_default, key.meaning);
   r.allowed = key.hi == std::numeric_limits<long>::max() ? fmt::format(">= {}", key.lo)
                                                          : fmt::format("{} to {}", key.lo, key.hi);
   return key.fallback ? with_fallback(std::move(r), fmt::format("{}", *key.fallback)) : r;
 }
 
 KeyRow row(const FlagKey& key) {
-  KeyRow r = array_row(key.name, "on or off", key.usual, key.meaning);
+  KeyRow r = array_row(key.name, "on or off", key.computed_default, key.meaning);
   if (!key.fallback) return r;
   r.toml = *key.fallback ? "true" : "false";
   r.fallback = *key.fallback ? "on" : "off";
@@ -96,31 +96,34 @@ KeyRow row(const FlagKey& key) {
 }
 
 KeyRow row(const TextKey& key) {
-  KeyRow r = array_row(key.name, "text", key.usual, key.meaning);
+  KeyRow r = array_row(key.name, "text", key.computed_default, key.meaning);
   return key.fallback ? with_fallback(std::move(r), fmt::format("\"{}\"", *key.fallback)) : r;
 }
 
-KeyRow row(const WordKey& key) {
-  return array_row(key.name, "value with unit", key.usual, key.meaning);
+KeyRow row(const ScalarKey& key) {
+  return array_row(key.name, "value with unit", key.computed_default, key.meaning);
 }
 
-KeyRow row(const WordsKey& key) {
-  return array_row(key.name, "list of values", key.usual, key.meaning);
+KeyRow row(const ScalarsKey& key) {
+  return array_row(key.name, "list of values", key.computed_default, key.meaning);
 }
 
 KeyRow row(const AnyKey& key) {
-  return array_row(key.name, std::string(key.kind), key.usual, key.meaning);
+  return array_row(key.name, std::string(key.kind), key.computed_default, key.meaning);
 }
 
-KeyRow row(const PathKey& key) { return array_row(key.name, "file", key.usual, key.meaning); }
+KeyRow row(const PathKey& key) {
+  return array_row(key.name, "file", key.computed_default, key.meaning);
+}
 
 KeyRow row(const NameKey& key) {
-  return choice_row(key.name, key.names(), "", key.usual, key.meaning);
+  return choice_row(key.name, key.names(), "", key.computed_default, key.meaning);
 }
 
 KeyRow choice_row(std::string_view name, const std::vector<std::string_view>& names,
-                  std::string_view fallback, std::string_view usual, std::string_view meaning) {
-  KeyRow r = array_row(name, "one of", usual, meaning);
+                  std::string_view fallback, std::string_view computed_default,
+                  std::string_view meaning) {
+  KeyRow r = array_row(name, "one of", computed_default, meaning);
   r.allowed = comma_list(names);
   return fallback.empty() ? r : with_fallback(std::move(r), fmt::format("\"{}\"", fallback));
 }
@@ -134,7 +137,7 @@ namespace {
 /// Whether the initial value of the field is its default.
 template <class Key>
 bool shows_value(const Key& key) {
-  return key.need != Need::required && key.usual.empty();
+  return key.need != Need::required && key.computed_default.empty();
 }
 
 /// Returns the row of a key. If `fallback` is its default, the row shows it.
@@ -174,9 +177,9 @@ void FieldLister::operator()(std::string& x, const TextKey& key) {
   rows.push_back(row_with(key, std::string_view(x)));
 }
 
-void FieldLister::operator()(ConfigWord&, const WordKey& key) { rows.push_back(row(key)); }
+void FieldLister::operator()(ConfigScalar&, const ScalarKey& key) { rows.push_back(row(key)); }
 
-void FieldLister::operator()(std::vector<ConfigWord>&, const WordsKey& key) {
+void FieldLister::operator()(std::vector<ConfigScalar>&, const ScalarsKey& key) {
   rows.push_back(row(key));
 }
 
@@ -186,7 +189,7 @@ void FieldLister::name(std::string&, const NameKey& key) { rows.push_back(row(ke
 
 std::optional<std::size_t> FieldLister::choose(const NamedChoice& c) {
   const std::string_view value = shows_value(c) && c.index ? c.names[*c.index] : "";
-  rows.push_back(choice_row(c.name, c.names, value, c.usual, c.meaning));
+  rows.push_back(choice_row(c.name, c.names, value, c.computed_default, c.meaning));
   return std::nullopt;
 }
 

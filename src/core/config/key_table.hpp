@@ -41,13 +41,14 @@ KeyRow row(const TextKey& key);
 KeyRow row(const PathKey& key);
 KeyRow row(const NameKey& key);
 KeyRow row(const TextsKey& key);
-KeyRow row(const WordKey& key);
-KeyRow row(const WordsKey& key);
+KeyRow row(const ScalarKey& key);
+KeyRow row(const ScalarsKey& key);
 KeyRow row(const AnyKey& key);
 
 /// Makes the row of a choice. `fallback`: the name of the fallback, or empty.
 KeyRow choice_row(std::string_view name, const std::vector<std::string_view>& names,
-                  std::string_view fallback, std::string_view usual, std::string_view meaning);
+                  std::string_view fallback, std::string_view computed_default,
+                  std::string_view meaning);
 
 template <class E>
 KeyRow row(const ChoiceKey<E>& key) {
@@ -58,7 +59,7 @@ KeyRow row(const ChoiceKey<E>& key) {
     names.push_back(named.name);
     if (key.fallback && *key.fallback == named.value) fallback = named.name;
   }
-  return choice_row(key.name, names, fallback, key.usual, key.meaning);
+  return choice_row(key.name, names, fallback, key.computed_default, key.meaning);
 }
 
 /// Makes the rows of keys of any types.
@@ -82,8 +83,8 @@ class FieldLister final : public FieldVisitor {
   void operator()(long& x, const IntegerKey& key) override;
   void operator()(bool& x, const FlagKey& key) override;
   void operator()(std::string& x, const TextKey& key) override;
-  void operator()(ConfigWord& x, const WordKey& key) override;
-  void operator()(std::vector<ConfigWord>& x, const WordsKey& key) override;
+  void operator()(ConfigScalar& x, const ScalarKey& key) override;
+  void operator()(std::vector<ConfigScalar>& x, const ScalarsKey& key) override;
   void path(std::string& x, const PathKey& key) override;
   void name(std::string& x, const NameKey& key) override;
   void any(const AnyKey& key) override { rows.push_back(row(key)); }

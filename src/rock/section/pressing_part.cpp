@@ -18,7 +18,7 @@ constexpr double ridge = 1e-6;  // times the gap: within this, two surfaces are 
 /// fraction of the gap contacts would grow as the step shrinks.
 double sliding(const PressingPart& part, const Vec3& move_P) {
   constexpr double angle = 1e-4;  // rad
-  return angle * move_P.norm() + standing(part);
+  return angle * move_P.norm() + rest_tolerance(part);
 }
 
 /// The planes of a convex solid with the largest signed distance to x, to within `near`, m. If x is
@@ -209,7 +209,7 @@ double stress_share(const PressingPart& part, const Vec3& x_P, const Vec3& n_P) 
   if (!(part.ramp > 0.0)) return 1.0;
   const Vec3 move_P = displacement_P(part, x_P);
   const double into = n_P.dot(move_P), along = (move_P - into * n_P).norm();
-  const double least = standing(part);
+  const double least = rest_tolerance(part);
   return std::clamp((into + least) / (part.ramp * along + least), 0.0, 1.0);
 }
 

@@ -22,7 +22,7 @@ inline const mesh::ConvexSolid* convex(const PressingPart& part) {
 }
 
 /// Shorter displacements, m, are rounding errors: the part does not move.
-inline double standing(const PressingPart& part) { return 1e-7 * part.gap; }
+inline double rest_tolerance(const PressingPart& part) { return 1e-7 * part.gap; }
 
 /// The displacement of the part's material at x_P in the step, m.
 inline Vec3 displacement_P(const PressingPart& part, const Vec3& x_P) {

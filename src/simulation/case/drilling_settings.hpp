@@ -65,7 +65,7 @@ struct LumpedString {
     v(attachment_height,
       {.name = "attachment_height",
        .unit = "m",
-       .usual = "the bit's centre of mass",
+       .computed_default = "the bit's centre of mass",
        .range = Range::within(-100.0, 100.0),
        .meaning = "height above the bit's origin of the point at which lateral and axial springs, "
                   "dampers and the load act; 0: the nose. A bit that hangs from a point below its "
@@ -118,18 +118,18 @@ struct WallSettings {
       v(wall.stiffness, {.name = "stiffness",
                          .unit = "N/m",
                          .need = Need::required,
-                         .usual = "required with model ring",
+                         .computed_default = "required with model ring",
                          .range = above_zero_to_largest,
                          .meaning = "of the wall"});
       v(wall.clearance, {.name = "clearance",
                          .unit = "m",
                          .need = Need::required,
-                         .usual = "required with model ring",
+                         .computed_default = "required with model ring",
                          .range = Range::within(0.0, 10.0),
                          .meaning = "radius of the hole minus that of the ring"});
       v(wall.ring_radius, {.name = "ring_radius",
                            .unit = "m",
-                           .usual = "the bit's gage radius",
+                           .computed_default = "the bit's gage radius",
                            .range = {0.0, 10.0, Range::Ends::open_lo},
                            .meaning = "of the ring"});
       v(ring_height, {.name = "ring_height",

@@ -39,7 +39,7 @@ struct LawChoice {
     v.name(coefficients, {.name = "coefficients",
                           .names = &LawChoice::fit_names,
                           .need = Need::optional,
-                          .usual = "none",
+                          .computed_default = "none",
                           .meaning = "a law with a set of coefficients from the literature; other "
                                      "keys of the table change them"});
     const std::string of_fit = law_of_fit(coefficients);
@@ -47,8 +47,9 @@ struct LawChoice {
     v.name(law, {.name = "law",
                  .names = &forces::law_names,
                  .need = law.empty() ? Need::required : Need::defaulted,
-                 .usual = "that of coefficients; else required, in [forces.KIND] and areas that of "
-                          "the parts",
+                 .computed_default =
+                     "that of coefficients; else required, in [forces.KIND] and areas that of "
+                     "the parts",
                  .meaning = "its coefficients are keys of the same table, see the tables below"});
   }
 
@@ -87,7 +88,7 @@ struct ForcePlan {
       {.name = "flat_contact",
        .values = {{{"edge", FlatMeasure::edge}, {"triangles", FlatMeasure::triangles}}},
        .need = Need::optional,
-       .usual = "\"edge\" with [wear], else \"triangles\"",
+       .computed_default = "\"edge\" with [wear], else \"triangles\"",
        .meaning = "the part of a cutter's wear flat on which the law of its body acts: the flat "
                   "behind the engaged part of its edge, or the triangles that it touches"});
   }
@@ -210,13 +211,13 @@ struct WearLawSettings {
     if (v.when(law == WearKind::sliding || law == WearKind::thermal)) {
       v(sliding.coefficient, {.name = "coefficient",
                               .need = Need::required,
-                              .usual = "required by sliding and thermal",
+                              .computed_default = "required by sliding and thermal",
                               .range = Range::non_negative(),
                               .meaning = "of Archard's law"});
       v(sliding.hardness, {.name = "hardness",
                            .unit = "Pa",
                            .need = Need::required,
-                           .usual = "required by sliding and thermal",
+                           .computed_default = "required by sliding and thermal",
                            .range = Range::positive(),
                            .meaning = "of the worn material"});
     }
@@ -224,7 +225,7 @@ struct WearLawSettings {
       v(threshold, {.name = "threshold",
                     .unit = "K",
                     .need = Need::required,
-                    .usual = "required by thermal",
+                    .computed_default = "required by thermal",
                     .range = Range::positive(),
                     .meaning = "temperature limit: a hotter flat wears faster"});
       v(growth, {.name = "growth",
@@ -236,12 +237,12 @@ struct WearLawSettings {
       v(rates.temperatures, {.name = "temperatures",
                              .unit = "K",
                              .need = Need::required,
-                             .usual = "required by table",
+                             .computed_default = "required by table",
                              .meaning = "rising"});
       v(rates.rates, {.name = "rates",
                       .unit = "m3 N-1 m-1",
                       .need = Need::required,
-                      .usual = "required by table",
+                      .computed_default = "required by table",
                       .meaning = "worn volume per path and normal force, one for each temperature; "
                                  "linear between them"});
     }

@@ -38,19 +38,19 @@ inline constexpr QuantityKey rotary_speed{
     .name = "rotary_speed",
     .unit = "rad/s",
     .need = Need::required,
-    .usual = "required, except legs and table",
+    .computed_default = "required, except legs and table",
     .range = Range::non_negative(),
     .meaning = "of the bit; drilling: of the top, or a table over time"};
 inline constexpr QuantityKey rate_of_penetration{
     .name = "rate_of_penetration",
     .unit = "m/s",
     .need = Need::required,
-    .usual = "required, except legs and table",
+    .computed_default = "required, except legs and table",
     .meaning = "of the bit; drilling: the top is lowered at this rate, or by a table over time"};
 inline constexpr QuantityKey weight_on_bit{
     .name = "weight_on_bit",
     .unit = "N",
-    .usual = "in place of rate_of_penetration",
+    .computed_default = "in place of rate_of_penetration",
     .range = up_to_largest,
     .meaning = "drilling: load of the top, or a table over time"};
 inline constexpr QuantityKey weight_at_start{
@@ -94,7 +94,7 @@ struct Whirl {
               .meaning = "with the bit's rotation or against it"});
     v(ramp, {.name = "ramp",
              .unit = "s",
-             .usual = "one turn of the bit",
+             .computed_default = "one turn of the bit",
              .range = Range::non_negative(),
              .meaning = "time in which the orbit reaches its radius"});
   }
@@ -128,7 +128,7 @@ struct Tilt {
               .meaning = "of the precession: with the bit's rotation or against it"});
     v(ramp, {.name = "ramp",
              .unit = "s",
-             .usual = "one turn of the bit",
+             .computed_default = "one turn of the bit",
              .range = Range::non_negative(),
              .meaning = "time in which the lean reaches its angle"});
   }
@@ -210,7 +210,7 @@ struct TopPlan {
       v(top.following_time,
         {.name = "rate_memory",
          .unit = "s",
-         .usual = "one turn at the fastest rotary_speed",
+         .computed_default = "one turn at the fastest rotary_speed",
          .range = Range::non_negative(),
          .meaning = "drilling with weight_on_bit: time in which the upper end of the axial damper "
                     "follows the bit's advance, so that the damper carries no part of the mean "
@@ -231,17 +231,17 @@ struct ConeMotion {
     if (v.when(kind == ConeDrive::given)) {
       v(speeds, {.name = "cone_speeds",
                  .need = Need::required,
-                 .usual = "required with cones, unless drilling",
+                 .computed_default = "required with cones, unless drilling",
                  .meaning = "speed of each cone over the bit's, positive: rolling"});
     }
     if (v.when(kind == ConeDrive::rolling)) {
       v(drive, {.name = "cone_speeds",
                 .values = {{{"rolling", ConeDrive::rolling}}},
-                .usual = "in place of the list",
+                .computed_default = "in place of the list",
                 .meaning = "cones turn as their contacts with the rock let them"});
       v(memory, {.name = "cone_memory",
                  .unit = "s",
-                 .usual = "the time of 0.1 rad of the bit",
+                 .computed_default = "the time of 0.1 rad of the bit",
                  .range = Range::non_negative(),
                  .meaning = "rolling cones: how long a contact counts"});
     }
@@ -285,7 +285,7 @@ struct Motion {
       v.path(path_file,
              {.name = "file",
               .need = Need::required,
-              .usual = "required with kind table",
+              .computed_default = "required with kind table",
               .meaning = "the path: CSV with time_s, x_m, y_m, z_m, rx_rad, ry_rad, rz_rad (place "
                          "of the bit's origin and rotation vector, spatial frame)"});
     }

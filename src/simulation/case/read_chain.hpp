@@ -66,12 +66,12 @@ struct SimpleBitSettings {
       {.name = "torque", .unit = "N m", .meaning = "constant part of the torque on bit"});
     v(axial_damping, {.name = "axial_damping",
                       .unit = "N s/m",
-                      .usual = "0",
+                      .computed_default = "0",
                       .range = up_to_largest,
                       .meaning = "to rest, beside that of the mud"});
     v(torsional_damping, {.name = "torsional_damping",
                           .unit = "N m s/rad",
-                          .usual = "0",
+                          .computed_default = "0",
                           .range = up_to_largest,
                           .meaning = "to rest, beside that of the mud"});
     bit.axial_damping += axial_damping;
@@ -84,13 +84,13 @@ struct SimpleBitSettings {
              v(bit.resting_torque, {.name = "static",
                                     .unit = "N m",
                                     .need = Need::required,
-                                    .usual = "two-level: required",
+                                    .computed_default = "two-level: required",
                                     .range = up_to_largest,
                                     .meaning = "largest torque at rest"});
              v(bit.sliding_torque, {.name = "dynamic",
                                     .unit = "N m",
                                     .need = Need::required,
-                                    .usual = "two-level: required",
+                                    .computed_default = "two-level: required",
                                     .range = up_to_largest,
                                     .meaning = "torque in motion"});
            });
@@ -99,29 +99,29 @@ struct SimpleBitSettings {
              v(bit.force_per_depth, {.name = "axial_stiffness",
                                      .unit = "N/m",
                                      .need = Need::required,
-                                     .usual = "regenerative: required",
+                                     .computed_default = "regenerative: required",
                                      .range = up_to_largest,
                                      .meaning = "force of all blades by the depth of one"});
              v(bit.torque_per_depth, {.name = "torsional_stiffness",
                                       .unit = "N",
                                       .need = Need::required,
-                                      .usual = "regenerative: required",
+                                      .computed_default = "regenerative: required",
                                       .range = up_to_largest,
                                       .meaning = "torque of all blades by that depth"});
              v(bit.contact_force, {.name = "contact_force",
                                    .unit = "N",
-                                   .usual = "0",
+                                   .computed_default = "0",
                                    .range = up_to_largest,
                                    .meaning = "regenerative: on wear flats while it advances"});
              v(bit.contact_lever, {.name = "contact_lever",
                                    .unit = "m",
-                                   .usual = "0",
+                                   .computed_default = "0",
                                    .range = up_to_largest,
                                    .meaning = "regenerative: torque over that force"});
              v(bit.pitch, {.name = "pitch",
                            .unit = "rad",
                            .need = Need::required,
-                           .usual = "regenerative: required",
+                           .computed_default = "regenerative: required",
                            .range = Range::positive(),
                            .meaning = "angle between blades"});
            });
@@ -135,7 +135,7 @@ struct StringOutput {
   static constexpr TableKey table{"output", "what is recorded"};
   void visit(FieldVisitor& v) {
     v(history_every, {.name = "history_every",
-                      .usual = "at most 10 000 rows",
+                      .computed_default = "at most 10 000 rows",
                       .lo = 1,
                       .hi = 1'000'000'000,
                       .meaning = "steps between rows of the history"});

@@ -68,14 +68,14 @@ struct RockStart {
       v(roughness.amplitude, {.name = "amplitude",
                               .unit = "m",
                               .need = Need::required,
-                              .usual = "required with shape rough",
+                              .computed_default = "required with shape rough",
                               .range = Range::within(0.0, 1.0),
                               .meaning = "root mean square of the roughness"});
       v(roughness.correlation_length,
         {.name = "correlation_length",
          .unit = "m",
          .need = Need::required,
-         .usual = "required with shape rough",
+         .computed_default = "required with shape rough",
          .range = Range::positive(),
          .meaning = "correlation length of the roughness, two edges or more"});
       v(roughness.seed, {.name = "seed", .meaning = "shape rough: seed of the random roughness"});
@@ -93,7 +93,7 @@ struct RockStart {
       v(points, {.name = "profile",
                  .unit = "m",
                  .need = Need::required,
-                 .usual = "required with shape profile",
+                 .computed_default = "required with shape profile",
                  .meaning = "[[radius, depth], ...] from the axis to the boundary"});
       profile.clear();
       for (const auto& [r, z] : points) profile.push_back({r, z});
@@ -101,7 +101,7 @@ struct RockStart {
     if (v.when(shape == RockShape::file)) {
       v.path(file, {.name = "file",
                     .need = Need::required,
-                    .usual = "required with shape file",
+                    .computed_default = "required with shape file",
                     .meaning = "the mesh"});
       v(unit, {.name = "unit",
                .unit = "m",
@@ -170,7 +170,7 @@ struct NamedRock {
     v.name(material, {.name = "material",
                       .names = &NamedRock::names,
                       .need = Need::required,
-                      .usual = "required with forces",
+                      .computed_default = "required with forces",
                       .meaning = "a rock of the table of rocks, or a table [rock.material]"});
   }
 };
@@ -279,7 +279,7 @@ struct BreakingMaterial {
 
   void visit(FieldVisitor& v) {
     v(material, {.name = "material",
-                 .usual = "any",
+                 .computed_default = "any",
                  .meaning = "the rock that breaks out, by its name in [rock]"});
   }
 };

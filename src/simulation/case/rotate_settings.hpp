@@ -29,18 +29,18 @@ struct BodySettings {
       v(inertia, {.name = "inertia",
                   .unit = "kg m2",
                   .need = Need::required,
-                  .usual = "required without mesh",
+                  .computed_default = "required without mesh",
                   .meaning = "of body and cones locked together, bit frame"});
     });
     if (v.when(is_mesh)) {
       v.path(mesh, {.name = "mesh",
-                    .usual = "in place of inertia",
+                    .computed_default = "in place of inertia",
                     .meaning = "a closed mesh of one density: its inertia about its centre of "
                                "mass, along the axes of its file"});
       v(density, {.name = "density",
                   .unit = "kg/m3",
                   .need = Need::required,
-                  .usual = "required with mesh",
+                  .computed_default = "required with mesh",
                   .range = Range::positive(),
                   .meaning = "of the body"});
       v(unit, {.name = "unit",
@@ -58,7 +58,7 @@ struct BodySettings {
                         .meaning = "attitude at the start, bit to space"});
     if (v.when(is_matrix)) {
       v(attitude, {.name = "attitude",
-                   .usual = "in place of rotation_vector",
+                   .computed_default = "in place of rotation_vector",
                    .meaning = "attitude at the start as a rotation matrix"});
     }
     v(angular_velocity,
@@ -191,7 +191,7 @@ struct IntegratorSettings {
       {.name = "velocity_torque",
        .values = {{{"predicted", dynamics::VelocityTorque::predicted},
                    {"symmetric", dynamics::VelocityTorque::symmetric}}},
-       .usual = "predicted for order 2, else symmetric",
+       .computed_default = "predicted for order 2, else symmetric",
        .meaning = "how the closing kick evaluates damping; only symmetric allows a higher order"});
   }
 };
@@ -223,14 +223,14 @@ struct RotateOutput {
   static constexpr TableKey table{"output", "what is recorded"};
   void visit(FieldVisitor& v) {
     v(history_every, {.name = "history_every",
-                      .usual = "at most 10 000 rows",
+                      .computed_default = "at most 10 000 rows",
                       .lo = 1,
                       .hi = 1'000'000'000'000,
                       .meaning = "steps between rows of the history"});
     v(checkpoint_every,
       {.name = "checkpoint_every",
        .need = Need::optional,
-       .usual = "so that they take less than 1 % of the time",
+       .computed_default = "so that they take less than 1 % of the time",
        .hi = 1'000'000'000'000,
        .meaning = "steps between checkpoints, from which `tdbd rotate --resume` resumes; 0: none"});
   }

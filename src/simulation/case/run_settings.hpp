@@ -119,7 +119,7 @@ struct BitChanges {
   void visit(FieldVisitor& v) {
     v.any({.name = "KEY",
            .kind = "as in the bit file",
-           .usual = "the bit file's",
+           .computed_default = "the bit file's",
            .meaning = "any key of the tables of `tdbd bit` below, dotted: gage_diameter, "
                       "cutters.chamfer, adjust.blade.2.azimuth"});
   }
@@ -146,12 +146,12 @@ struct TimeSettings {
     v(duration, {.name = "duration",
                  .unit = "s",
                  .need = need_of_duration,
-                 .usual = "the path's; else required without revolutions",
+                 .computed_default = "the path's; else required without revolutions",
                  .range = Range::positive(),
                  .meaning = "of the motion"});
     v(revolutions, {.name = "revolutions",
                     .need = Need::optional,
-                    .usual = "in place of duration",
+                    .computed_default = "in place of duration",
                     .range = Range::positive(),
                     .meaning = "of a bit with a rotary speed"});
     v(first_step,
@@ -267,7 +267,7 @@ struct OutputPlan {
   static constexpr TableKey table{"output", "what is recorded, and when"};
   void visit(FieldVisitor& v, BitMotion motion = BitMotion::by_forces) {
     v(history_every, {.name = "history_every",
-                      .usual = "at most 10 000 rows",
+                      .computed_default = "at most 10 000 rows",
                       .lo = 1,
                       .hi = 1'000'000'000,
                       .meaning = "steps between rows of the history; more than 1: a row has their "
@@ -278,19 +278,19 @@ struct OutputPlan {
     v(checkpoint_every,
       {.name = "checkpoint_every",
        .need = Need::optional,
-       .usual = "so that they take less than 1 % of the time",
+       .computed_default = "so that they take less than 1 % of the time",
        .hi = 1'000'000'000,
        .meaning = "steps between checkpoints, from which `tdbd run --resume` resumes; 0: none"});
     v(means_from,
       {.name = "means_from",
        .unit = "s",
-       .usual = "half of the run",
+       .computed_default = "half of the run",
        .range = Range::non_negative(),
        .meaning = "since the beginning of the run: earlier steps do not count in means"});
     v.path(convergence_file,
            {.name = "convergence",
             .need = Need::optional,
-            .usual = "none",
+            .computed_default = "none",
             .meaning = "a convergence.json of this case (`tdbd converge`), or a list of several in "
                        "one file: summary.json then has the numerical uncertainty of its means"});
     if (!v.when(motion == BitMotion::by_forces)) return;

@@ -46,7 +46,7 @@ struct ChainSettings {
       {.name = "hole_diameter",
        .unit = "m",
        .need = Need::optional,
-       .usual = "of a bit that drills, its gage diameter; else none: no warning",
+       .computed_default = "of a bit that drills, its gage diameter; else none: no warning",
        .range = Range::positive(),
        .meaning = "warns where the string is compressed beyond its sinusoidal buckling"});
   }
@@ -66,11 +66,12 @@ struct ChainElements {
   double element_length = 0.0;
 
   void visit(FieldVisitor& v) {
-    v(element_length, {.name = "element_length",
-                       .unit = "m",
-                       .usual = "10 m, or what the time step allows; rounded to whole elements",
-                       .range = Range::positive(),
-                       .meaning = "of the elements of the chain"});
+    v(element_length,
+      {.name = "element_length",
+       .unit = "m",
+       .computed_default = "10 m, or what the time step allows; rounded to whole elements",
+       .range = Range::positive(),
+       .meaning = "of the elements of the chain"});
   }
 };
 
@@ -130,7 +131,7 @@ struct SectionSettings {
       v(diameters.outer, {.name = "outer_diameter",
                           .unit = "m",
                           .need = Need::required,
-                          .usual = "required without axial_rigidity",
+                          .computed_default = "required without axial_rigidity",
                           .range = Range::positive(),
                           .meaning = "of the body"});
       v(diameters.inner, {.name = "inner_diameter",
@@ -140,14 +141,14 @@ struct SectionSettings {
       v(linear_mass, {.name = "linear_mass",
                       .unit = "kg/m",
                       .need = Need::optional,
-                      .usual = "from the diameters",
+                      .computed_default = "from the diameters",
                       .range = Range::positive(),
                       .meaning = "with tool joints: for weight and inertia"});
     });
     if (is_pipe) diameters.contact = diameters.outer;
     v(diameters.contact, {.name = "contact_diameter",
                           .unit = "m",
-                          .usual = "outer_diameter",
+                          .computed_default = "outer_diameter",
                           .range = Range::positive(),
                           .meaning = "where it touches the hole: tool joints"});
     if (v.when(is_pipe)) visit_material(v);
@@ -163,44 +164,44 @@ struct SectionSettings {
     moduli = material_of(material);
     v(moduli.young, {.name = "young",
                      .unit = "Pa",
-                     .usual = "of the material",
+                     .computed_default = "of the material",
                      .range = Range::positive(),
                      .meaning = "Young's modulus"});
     v(moduli.shear, {.name = "shear",
                      .unit = "Pa",
-                     .usual = "of the material",
+                     .computed_default = "of the material",
                      .range = Range::positive(),
                      .meaning = "shear modulus"});
     v(moduli.density, {.name = "density",
                        .unit = "kg/m3",
-                       .usual = "of the material",
+                       .computed_default = "of the material",
                        .range = Range::positive(),
                        .meaning = "for mass and buoyancy"});
   }
   void visit_products(FieldVisitor& v) {
     v(products.axial_rigidity, {.name = "axial_rigidity",
                                 .unit = "N",
-                                .usual = "in place of diameters",
+                                .computed_default = "in place of diameters",
                                 .range = Range::non_negative(),
                                 .meaning = "E A"});
     v(products.torsional_rigidity, {.name = "torsional_rigidity",
                                     .unit = "N m2",
-                                    .usual = "in place of diameters",
+                                    .computed_default = "in place of diameters",
                                     .range = Range::non_negative(),
                                     .meaning = "G J"});
     v(products.mass, {.name = "mass_per_length",
                       .unit = "kg/m",
-                      .usual = "in place of diameters",
+                      .computed_default = "in place of diameters",
                       .range = Range::non_negative(),
                       .meaning = "rho A"});
     v(products.inertia, {.name = "inertia_per_length",
                          .unit = "kg m",
-                         .usual = "in place of diameters",
+                         .computed_default = "in place of diameters",
                          .range = Range::non_negative(),
                          .meaning = "rho J"});
     v(products.weight, {.name = "weight_per_length",
                         .unit = "N/m",
-                        .usual = "in place of diameters",
+                        .computed_default = "in place of diameters",
                         .range = Range::non_negative(),
                         .meaning = "in mud; default 0"});
   }
@@ -215,23 +216,23 @@ struct SurveySettings {
   void visit(FieldVisitor& v) {
     v.path(file, {.name = "file",
                   .need = Need::optional,
-                  .usual = "in place of the lists",
+                  .computed_default = "in place of the lists",
                   .meaning = "CSV with the columns md_m, inc_deg, azi_deg"});
     v.only(!v.gives("file"), {"a file as well", "a file or the lists"}, [&] {
       v(stations.depths, {.name = "measured_depth",
                           .unit = "m",
                           .need = Need::required,
-                          .usual = "required without file",
+                          .computed_default = "required without file",
                           .meaning = "of the stations, ascending from 0"});
       v(stations.inclinations, {.name = "inclination",
                                 .unit = "rad",
                                 .need = Need::required,
-                                .usual = "required without file",
+                                .computed_default = "required without file",
                                 .meaning = "from the vertical"});
       v(stations.azimuths, {.name = "azimuth",
                             .unit = "rad",
                             .need = Need::required,
-                            .usual = "required without file",
+                            .computed_default = "required without file",
                             .meaning = "from north"});
     });
   }
@@ -243,12 +244,12 @@ struct FrictionCoefficients {
 
   void visit(FieldVisitor& v) {
     v(resting, {.name = "static",
-                .usual = "0",
+                .computed_default = "0",
                 .range = Range::within(0.0, 2.0),
                 .meaning = "Coulomb's coefficient at rest"});
     sliding = v.gives("static") ? resting : std::min(sliding, resting);
     v(sliding, {.name = "dynamic",
-                .usual = "static",
+                .computed_default = "static",
                 .range = Range::within(0.0, 2.0),
                 .meaning = "Coulomb's coefficient in motion"});
   }
@@ -309,7 +310,7 @@ struct TorsionalLoss {
   void visit(FieldVisitor& v) {
     v(time, {.name = "torsional_loss_time",
              .unit = "s",
-             .usual = "0; 0.1 steps where friction at rest is larger",
+             .computed_default = "0; 0.1 steps where friction at rest is larger",
              .range = Range::non_negative(),
              .meaning = "Kelvin-Voigt's damping of twist"});
   }
@@ -335,12 +336,12 @@ struct ChainOutputSettings {
   void visit(FieldVisitor& v) {
     v(string_depths, {.name = "string_depths",
                       .unit = "m",
-                      .usual = "none",
+                      .computed_default = "none",
                       .meaning = "measured depths of nodes in the history, each the nearest node"});
     v(string_profile_every, {.name = "string_profile_every",
                              .unit = "s",
                              .need = Need::optional,
-                             .usual = "none: no string.nc",
+                             .computed_default = "none: no string.nc",
                              .range = Range::positive(),
                              .meaning = "time between profiles over all nodes"});
   }

@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 constexpr double same_size = 1e-9;  ///< relative: the size of a level was divided and printed
 
-Figures figures_of(const Json& state) {
+Figures summarize(const Json& state) {
   Figures figures;
   for (const StudiedFigure& f : studied_figures)
     if (const auto found = state.find(f.in_study); found != state.end() && found->size() == 1)
@@ -29,7 +29,7 @@ StudiedConvergence study_of(const Json& json) {
   study.keys = json.at("keys").get<std::vector<std::string>>();
   for (const Json& level : json.at("levels")) {
     study.levels.push_back(
-        {level.at("sizes").get<std::vector<double>>(), figures_of(level.at("state"))});
+        {level.at("sizes").get<std::vector<double>>(), summarize(level.at("state"))});
     if (study.levels.back().sizes.size() != study.keys.size())
       throw InputError(
           fmt::format("{} sizes for {} keys", study.levels.back().sizes.size(), study.keys.size()));

@@ -20,7 +20,7 @@ namespace top_keys {
 
 inline constexpr QuantityKey hook_load{.name = "hook_load",
                                        .unit = "N",
-                                       .usual = "that of the start",
+                                       .computed_default = "that of the start",
                                        .range = up_to_largest,
                                        .meaning = "axial = hook-load: the force"};
 
@@ -55,7 +55,7 @@ struct TopSettings {
            [&] {
              v(tuned_frequency, {.name = "tuned_frequency",
                                  .unit = "Hz",
-                                 .usual = "the string's first torsional frequency",
+                                 .computed_default = "the string's first torsional frequency",
                                  .range = Range::positive(),
                                  .meaning = "soft-torque: frequency of least reflection"});
            });
@@ -77,13 +77,13 @@ struct TopSettings {
       v(top.inertia, {.name = "inertia",
                       .unit = "kg m2",
                       .need = Need::required,
-                      .usual = "required, except speed",
+                      .computed_default = "required, except speed",
                       .range = Range::positive(),
                       .meaning = "of the top drive"});
       v(top.torque_limit, {.name = "torque_limit",
                            .unit = "N m",
                            .need = Need::optional,
-                           .usual = "none",
+                           .computed_default = "none",
                            .range = Range::positive(),
                            .meaning = "of the motor"});
       v.only(is_pi, {"a gain with a tuned top drive", "impedance_factor, or torsion = \"pi\""},
@@ -91,19 +91,19 @@ struct TopSettings {
                v(top.proportional, {.name = "proportional",
                                     .unit = "N m s/rad",
                                     .need = Need::required,
-                                    .usual = "pi: required; else from impedance_factor",
+                                    .computed_default = "pi: required; else from impedance_factor",
                                     .range = Range::non_negative(),
                                     .meaning = "gain of the speed"});
              });
-      v.only(is_pi || is_z, {"a gain with soft-torque", "tuned_frequency, or torsion = \"pi\""},
-             [&] {
-               v(top.integral, {.name = "integral",
-                                .unit = "N m/rad",
-                                .need = Need::required,
-                                .usual = "pi, z-torque: required; else from the frequency",
-                                .range = Range::non_negative(),
-                                .meaning = "gain of the angle"});
-             });
+      v.only(
+          is_pi || is_z, {"a gain with soft-torque", "tuned_frequency, or torsion = \"pi\""}, [&] {
+            v(top.integral, {.name = "integral",
+                             .unit = "N m/rad",
+                             .need = Need::required,
+                             .computed_default = "pi, z-torque: required; else from the frequency",
+                             .range = Range::non_negative(),
+                             .meaning = "gain of the angle"});
+          });
     });
   }
   void visit_autodriller(FieldVisitor& v) {
@@ -112,13 +112,13 @@ struct TopSettings {
       v(top.gain, {.name = "gain",
                    .unit = "m/s/N",
                    .need = Need::required,
-                   .usual = "autodriller: required",
+                   .computed_default = "autodriller: required",
                    .range = Range::non_negative(),
                    .meaning = "of the weight's error"});
       v(top.integral_gain, {.name = "integral_gain",
                             .unit = "m/s2/N",
                             .need = Need::required,
-                            .usual = "autodriller: required",
+                            .computed_default = "autodriller: required",
                             .range = Range::non_negative(),
                             .meaning = "of its integral"});
       v(top.filter, {.name = "filter",
@@ -129,7 +129,7 @@ struct TopSettings {
     if (v.when(drills)) {
       v(rate_limits, {.name = "rate_limits",
                       .unit = "m/s",
-                      .usual = "autodriller: 0 to 60 m/h",
+                      .computed_default = "autodriller: 0 to 60 m/h",
                       .meaning = "slowest and fastest rate of the block"});
     }
   }
@@ -178,13 +178,13 @@ struct LogSettings {
                 "LAS 2.0 (NAME.las), or CSV under a header of names with units: \"RPM [rpm]\""});
     v(time, {.name = "time", .meaning = "the column of times; \"TIME [s]\" also gives a unit"});
     v(rotary_speed, {.name = "rotary_speed",
-                     .usual = "none",
+                     .computed_default = "none",
                      .meaning = "the column that replaces motion.rotary_speed"});
     v(block_speed, {.name = "block_speed",
-                    .usual = "none",
+                    .computed_default = "none",
                     .meaning = "the column that replaces motion.rate_of_penetration; downward"});
     v(hook_load, {.name = "hook_load",
-                  .usual = "none",
+                  .computed_default = "none",
                   .meaning = "the column that replaces string.top.hook_load (axial = hook-load)"});
   }
 };
@@ -196,7 +196,7 @@ struct LogStart {
   void visit(FieldVisitor& v) {
     v(start, {.name = "start",
               .unit = "s",
-              .usual = "that of the first row",
+              .computed_default = "that of the first row",
               .meaning = "time of the log at which the run starts"});
   }
 };

@@ -228,7 +228,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-StringFigures figures_of(const ChainCase& c, const ChainSimulation& s) {
+StringSummary summarize(const ChainCase& c, const ChainSimulation& s) {
   const string::Elements& e = c.plan.chain.elements;
   return {e.length * c.plan.chain.count(),
           e.length,
@@ -259,7 +259,7 @@ Json energy_json(const ChainCase& c, const ChainSimulation& s) {
           {"residual_max_j", s.figures.residual}};
 }
 
-Json run_json(const ChainCase& c, const ChainSimulation& s, const StringFigures& figures) {
+Json run_json(const ChainCase& c, const ChainSimulation& s, const StringSummary& figures) {
   const ChainFigures& f = s.figures;
   const double half = std::max(1.0, 0.5 * static_cast<double>(s.steps_done));
   const string::SurfaceLoad surface = string::surface_load(c.plan.chain, s.state.chain, s.work);
@@ -287,7 +287,7 @@ std::string summary_json(const ChainCase& c, const ChainSimulation& s, RunStatus
   Json json = summary_head("string", c.title, status, c.hash, 0);
   Json warnings = Json::array();
   for (const CaseWarning& w : c.warnings) warnings.push_back(without_place(w));
-  const StringFigures figures = figures_of(c, s);
+  const StringSummary figures = summarize(c, s);
   json["warnings"] = warnings;
   json.update(statics_json(figures));
   if (c.time.steps > 0) json.update(run_json(c, s, figures));

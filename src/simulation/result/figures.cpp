@@ -191,7 +191,7 @@ double node_rest_share(const string::Chain& chain, long at_rest, long steps) {
   return static_cast<double>(at_rest) / all;
 }
 
-Json statics_json(const StringFigures& f) {
+Json statics_json(const StringSummary& f) {
   Json loads = Json::object();
   for (const StaticLoad& l : f.statics)
     loads[l.name] = {{"hook_load_n", l.load.surface.hook_load},
@@ -204,7 +204,7 @@ Json statics_json(const StringFigures& f) {
           {"torsional_frequencies_hz", frequencies(f.modes.torsional)}};
 }
 
-Json steps_json(const StringFigures& f) {
+Json steps_json(const StringSummary& f) {
   return {{"longest_step_s", f.longest_step},
           {"courant", {{"axial", f.courant.axial}, {"torsional", f.courant.torsional}}},
           {"node_rest_share", f.node_rest_share}};

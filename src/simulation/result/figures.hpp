@@ -62,7 +62,7 @@ nlohmann::ordered_json standing_json(const ImplicitStatistics& standing);
 nlohmann::ordered_json diagnosis_json(const Diagnosis& diagnosis, const Expected& expected);
 
 /// The results of a summary for a string on a chain.
-struct StringFigures {
+struct StringSummary {
   double length = 0.0, element_length = 0.0;  ///< m
   int elements = 0;
   std::vector<StaticLoad> statics;
@@ -72,16 +72,16 @@ struct StringFigures {
   double node_rest_share = 0.0;  ///< share of pairs of node and step that were at rest
 };
 
-/// Computes StringFigures::node_rest_share. `at_rest`: number of pairs of node and step that were
+/// Computes StringSummary::node_rest_share. `at_rest`: number of pairs of node and step that were
 /// at rest during `steps` steps.
 double node_rest_share(const string::Chain& chain, long at_rest, long steps);
 
 /// Returns the values that do not depend on time steps: lengths, static loads, frequencies.
-nlohmann::ordered_json statics_json(const StringFigures& figures);
+nlohmann::ordered_json statics_json(const StringSummary& figures);
 
 /// Returns the values that do: the longest stable time step, Courant numbers, the share of nodes at
 /// rest.
-nlohmann::ordered_json steps_json(const StringFigures& figures);
+nlohmann::ordered_json steps_json(const StringSummary& figures);
 
 /// The wear of a piece at the end of a run.
 struct PieceWearFigures {

@@ -47,7 +47,7 @@ Json known(const Figures& of, double x) {
 
 Json cones_json(const RunSummary& s) {
   Json cones = Json::array();
-  for (const ConeFigures& c : s.cones)
+  for (const ConeSummary& c : s.cones)
     cones.push_back({{"name", c.name},
                      {"mean_speed_ratio", known(c, c.mean_speed_ratio)},
                      {"min_speed_ratio", known(c, c.min_speed_ratio)},
@@ -73,7 +73,7 @@ Json numerical_json(const RunSummary& s) {
 
 Json sections_json(const RunSummary& s) {
   Json faces = Json::array();
-  for (const FaceFigures& f : s.faces)
+  for (const FaceSummary& f : s.faces)
     faces.push_back({{"name", f.name},
                      {"mean_area_m2", known(f, f.mean_area)},
                      {"mean_swept_by_section_m3", known(f, f.mean_swept_by_section)},
@@ -267,9 +267,9 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   r.rock_quality_1_percent = quality.one_percent;
   r.gage_radius = c.bit.gage_radius;
   r.maintenance = maintenance_counts(s.state.maintenance);
-  r.faces = figures_of(c.bit, s.statistics.faces);
+  r.faces = summarize(c.bit, s.statistics.faces);
   if (c.forces.forces == Forces::on) {
-    r.loads = figures_of(c.bit, s.statistics.loads, to);
+    r.loads = summarize(c.bit, s.statistics.loads, to);
     r.loads->uncertainty = sampling_of(s.statistics.trace);
   }
   if (s.state.drive) add_drive(c, s, r);
@@ -284,7 +284,7 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   r.sections_refused_deep = s.statistics.faces.refused_deep;
   r.sections_refused_over_the_top = s.statistics.faces.refused_over_the_top;
   for (std::size_t k = 0; k < s.state.cones.size(); ++k)
-    r.cones.push_back(figures_of(c.bit.cones[k], s.state.cones[k], s.statistics.cones[k]));
+    r.cones.push_back(summarize(c.bit.cones[k], s.state.cones[k], s.statistics.cones[k]));
   return r;
 }
 

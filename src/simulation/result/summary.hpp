@@ -54,13 +54,13 @@ struct RunSummary {
   double rock_quality_1_percent = 0.0;
   double gage_radius = 0.0;                 ///< m
   std::map<std::string, long> maintenance;  ///< counts by operation
-  std::vector<ConeFigures> cones;
-  std::vector<FaceFigures> faces;
+  std::vector<ConeSummary> cones;
+  std::vector<FaceSummary> faces;
   std::optional<LoadStatisticsSummary> loads;   ///< empty: the run had no forces
   std::vector<NumericalUncertainty> numerical;  ///< one for each study of the case
   Diagnosis diagnosis;                          ///< if the run has forces
   std::optional<DriveFigures> drive;            ///< if forces move the bit
-  std::optional<StringFigures> string;          ///< if the string is a chain
+  std::optional<StringSummary> string;          ///< if the string is a chain
   std::vector<std::pair<std::string, double>>
       broken_out;  ///< m3, by cutter, of what its face removed; empty: no rock breaks out
   std::optional<WearFigures> wear;  ///< if the bit wears

@@ -125,8 +125,8 @@ std::vector<double> speeds_of(const std::vector<ConeState>& cones) {
   return speeds;
 }
 
-ConeFigures figures_of(const bit::Cone& cone, const ConeState& state, const ConeStatistics& s) {
-  ConeFigures f{.name = cone.name, .steps = s.ratio.count};
+ConeSummary summarize(const bit::Cone& cone, const ConeState& state, const ConeStatistics& s) {
+  ConeSummary f{.name = cone.name, .steps = s.ratio.count};
   if (s.bit_turned != 0.0) f.mean_speed_ratio = -state.angle / s.bit_turned;
   f.min_speed_ratio = s.least;
   f.max_speed_ratio = s.greatest;

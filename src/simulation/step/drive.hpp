@@ -15,7 +15,7 @@ namespace tdbd::simulation {
 
 /// Statistics of the rotation of a cone: ratios of its speed to that of the bit, positive for
 /// rolling.
-struct ConeFigures {
+struct ConeSummary {
   std::string name;
   long steps = 0;                 ///< in which the bit rotated; if 0, no speed is known
   double mean_speed_ratio = 0.0;  ///< ratio of the rotations of cone and bit over the whole run
@@ -43,7 +43,7 @@ struct ConeState {
 /// Sets the angle (rad), and `turned` to the difference.
 void set_angle(ConeState& cone, double angle);
 
-/// Sums for ConeFigures; positive for rolling.
+/// Sums for ConeSummary; positive for rolling.
 struct ConeStatistics {
   double bit_turned = 0.0;  ///< rad, since the start
   RunningVariance ratio;    ///< over all steps in which the bit rotated
@@ -84,8 +84,8 @@ std::vector<double> angles_of(const std::vector<ConeState>& cones);
 std::vector<double> speeds_of(const std::vector<ConeState>& cones);
 
 /// The statistics that a run reports for a cone.
-ConeFigures figures_of(const bit::Cone& cone, const ConeState& state,
-                       const ConeStatistics& statistics);
+ConeSummary summarize(const bit::Cone& cone, const ConeState& state,
+                      const ConeStatistics& statistics);
 
 /// @file
 /// Interface between the simulation and the equations of motion (src/dynamics): converts states

@@ -131,8 +131,8 @@ void take_last_step(const ResistedMotion& m, ImplicitWork& w) {
 }
 
 /// Response of a contact to a force on it in one step.
-Yield contact_compliance(const ResistedMotion& m, const Vec3& normal_W, std::size_t cut,
-                         ImplicitWork& w) {
+ContactCompliance contact_compliance(const ResistedMotion& m, const Vec3& normal_W, std::size_t cut,
+                                     ImplicitWork& w) {
   w.yields = w.jacobians[cut].lazyProduct(m.response.A);
   const Mat3 D = w.yields.lazyProduct(w.jacobians[cut].transpose());
   return {normal_W.dot(D * normal_W), D.norm()};

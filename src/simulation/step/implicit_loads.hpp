@@ -31,7 +31,7 @@ struct Search {
 
 /// Change of velocity of a contact in a step per unit of force on it, m/(N s): along its normal,
 /// and the largest in any direction.
-struct Yield {
+struct ContactCompliance {
   double normal = 0.0, along = 0.0;
 };
 
@@ -41,7 +41,7 @@ struct ImplicitWork {
                                                                     ///< respect to u
   std::vector<PartDrag> drags;
   std::vector<std::optional<PressedContact>> pressed;  ///< per cut, if its surface presses
-  std::vector<Yield> compliances;                      ///< of the pressing cuts
+  std::vector<ContactCompliance> compliances;          ///< of the pressing cuts
   Eigen::VectorXd f;                                   ///< N, N m: sum of J^T F
   Eigen::MatrixXd C;                                   ///< sum of J^T C J
   Eigen::MatrixXd root;                                ///< L: the metric of A is L L^T (prepare)

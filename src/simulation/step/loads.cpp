@@ -228,7 +228,7 @@ std::vector<PartLoadFigures> part_figures(const bit::Bit& bit, const LoadStatist
   for (std::size_t i = 0; i < s.normal.size(); ++i) {
     if (s.normal[i].mean == 0.0 && s.tangential[i].mean == 0.0) continue;
     const double removed = removed_by_cutter(bit, s, i);
-    parts.push_back({bit.parts[i].name, figures_of(s.normal[i]), figures_of(s.tangential[i]),
+    parts.push_back({bit.parts[i].name, summarize(s.normal[i]), summarize(s.tangential[i]),
                      quotient(s.part_energy[i], s.time), removed,
                      quotient(s.part_energy[i], removed)});
   }
@@ -288,17 +288,17 @@ SamplingUncertainty sampling_of(const Trace& t) {
           batch_uncertainty(t.rotary_speed)};
 }
 
-MeanAndDeviation figures_of(const RunningVariance& s) { return {s.mean, deviation(s)}; }
+MeanAndDeviation summarize(const RunningVariance& s) { return {s.mean, deviation(s)}; }
 
-LoadStatisticsSummary figures_of(const bit::Bit& bit, const LoadStatistics& s, double end) {
+LoadStatisticsSummary summarize(const bit::Bit& bit, const LoadStatistics& s, double end) {
   LoadStatisticsSummary f;
   f.steps = s.wob.count;
   f.from = end - s.time;
   f.to = end;
-  f.wob = figures_of(s.wob);
-  f.tob = figures_of(s.tob);
-  f.rop = figures_of(s.rop);
-  f.rotary_speed = figures_of(s.rotary_speed);
+  f.wob = summarize(s.wob);
+  f.tob = summarize(s.tob);
+  f.rop = summarize(s.rop);
+  f.rotary_speed = summarize(s.rotary_speed);
   const double R = bit.gage_radius, area = std::numbers::pi * R * R;
   f.aggressiveness = quotient(3.0 * f.tob.mean, 2.0 * R * f.wob.mean);
   f.specific_energy =

@@ -181,9 +181,9 @@ struct LoadedStep {
 void add(const LoadedStep& step, LoadStatistics& statistics);
 void add(const LoadedStep& step, Trace& trace);
 
-MeanAndDeviation figures_of(const RunningVariance& spread);
+MeanAndDeviation summarize(const RunningVariance& spread);
 
-LoadStatisticsSummary figures_of(const bit::Bit& bit, const LoadStatistics& statistics, double end);
+LoadStatisticsSummary summarize(const bit::Bit& bit, const LoadStatistics& statistics, double end);
 
 /// Half-width of the confidence interval (sampling_coverage) of the mean of `samples`, from
 /// Student's t distribution of the means of eight consecutive batches of equal length. Initial

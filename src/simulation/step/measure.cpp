@@ -295,9 +295,9 @@ void add(const Move& move, const Measures& m, FaceStatistics& statistics) {
   }
 }
 
-std::vector<FaceFigures> figures_of(const bit::Bit& bit, const FaceStatistics& s) {
+std::vector<FaceSummary> summarize(const bit::Bit& bit, const FaceStatistics& s) {
   const std::vector<FaceVariances>& spreads = s.last_whole.empty() ? s.revolution : s.last_whole;
-  std::vector<FaceFigures> figures;
+  std::vector<FaceSummary> figures;
   figures.reserve(spreads.size());
   for (std::size_t i = 0; i < spreads.size(); ++i)
     figures.push_back({cutter_name(bit.cutters[i]), spreads[i].area.count, spreads[i].area.mean,

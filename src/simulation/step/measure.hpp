@@ -194,7 +194,7 @@ struct FaceStatistics {
 void add(const Move& move, const Measures& measures, FaceStatistics& statistics);
 
 /// Comparison of a cutter's section with the volume that it removed, over a revolution.
-struct FaceFigures {
+struct FaceSummary {
   std::string name;                    ///< "cutter-12"
   long steps = 0;                      ///< measured steps; if 0, the others are unknown
   double mean_area = 0.0;              ///< m2
@@ -205,7 +205,7 @@ struct FaceFigures {
 };
 
 /// Statistics of the last complete revolution; before its end, of all steps.
-std::vector<FaceFigures> figures_of(const bit::Bit& bit, const FaceStatistics& statistics);
+std::vector<FaceSummary> summarize(const bit::Bit& bit, const FaceStatistics& statistics);
 
 /// The name of the cutter as used in the names of its parts.
 std::string cutter_name(const bit::Cutter& cutter);

@@ -34,7 +34,7 @@ void fill_sobol(std::vector<std::vector<double>>& rows, std::size_t dimensions) 
 
 }  // namespace
 
-Level level_of(const ConfigWord& word) {
+Level level_of(const ConfigScalar& word) {
   const std::string_view body = trimmed(word.text);
   double number = 0.0;
   const auto [rest, error] = std::from_chars(body.data(), body.data() + body.size(), number);
@@ -155,7 +155,7 @@ Factor read_factor(Config c, double& points) {
     c.problem("values", listed ? "from or to as well" : "neither values nor from and to",
               "one of the two");
   if (listed) {
-    for (const ConfigWord& word : s.values) f.levels.push_back(level_of(word));
+    for (const ConfigScalar& word : s.values) f.levels.push_back(level_of(word));
     points *= static_cast<double>(f.levels.size());
   }
   if (listed || !ranged) return f;
@@ -235,7 +235,7 @@ struct AnyKeyOfCase {
   void visit(FieldVisitor& v) {
     v.any({.name = "KEY",
            .kind = "as in the case",
-           .usual = "the case's",
+           .computed_default = "the case's",
            .meaning = "any key of the case, dotted: time.revolutions; of its bit file behind "
                       "bit.set: bit.set.adjust.back_rake"});
   }

@@ -20,7 +20,7 @@ enum class Scale { linear, log };
 
 /// One value of a factor.
 struct Level {
-  ConfigWord word;                    ///< the override of the case's key
+  ConfigScalar word;                  ///< the override of the case's key
   std::optional<double> number = {};  ///< empty: a text, such as a choice or a path
   std::string unit = {};              ///< as written; empty: no unit
 };
@@ -35,8 +35,8 @@ struct Interval {
 /// [[factors]].
 struct FactorSettings {
   std::string key;
-  std::vector<ConfigWord> values;
-  ConfigWord from, to;
+  std::vector<ConfigScalar> values;
+  ConfigScalar from, to;
   long count = 0;  ///< 0: the factor is sampled
   Scale scale = Scale::linear;
 
@@ -47,21 +47,21 @@ struct FactorSettings {
     if (v.when(listed)) {
       v(values, {.name = "values",
                  .need = Need::required,
-                 .usual = "required without from and to",
+                 .computed_default = "required without from and to",
                  .meaning = "the levels, each a value of the key"});
     }
     if (v.when(!listed && (v.gives("from") || v.gives("to")))) {
       v(from, {.name = "from",
                .need = Need::required,
-               .usual = "required without values",
+               .computed_default = "required without values",
                .meaning = "the lowest level, or the lower end of samples"});
       v(to, {.name = "to",
              .need = Need::required,
-             .usual = "required with from",
+             .computed_default = "required with from",
              .meaning = "the highest, in the unit of from"});
       v(count, {.name = "count",
                 .need = Need::optional,
-                .usual = "none: the factor is sampled",
+                .computed_default = "none: the factor is sampled",
                 .lo = 2,
                 .hi = 4'000'000'000,
                 .meaning = "of levels, both ends included"});
@@ -190,7 +190,7 @@ Design planar_design(const Design& d);
 const char* name_of(Command command);
 
 /// Returns a word together with its number and unit, if it has them.
-Level level_of(const ConfigWord& word);
+Level level_of(const ConfigScalar& word);
 
 /// Returns a number with a unit as a level: "7.5 mm".
 Level level_at(double number, const std::string& unit);

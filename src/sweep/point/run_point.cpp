@@ -194,7 +194,7 @@ std::vector<std::string> figure_names(const Json& summary) {
   return names;
 }
 
-std::vector<double> figures_of(const Json& summary, const std::vector<std::string>& names) {
+std::vector<double> summarize(const Json& summary, const std::vector<std::string>& names) {
   std::map<std::string, double> numbers;
   for (const auto& [name, number] : numbers_of(summary)) numbers.emplace(name, number);
   std::vector<double> figures;
@@ -243,7 +243,7 @@ PointOutcome run_point(const Design& d, const Words& overrides, PointSurrounding
     const Summary summary = summary_of(d, overrides, around);
     ended = true;
     outcome.case_hash = summary.case_hash;
-    outcome.figures = figures_of(Json::parse(summary.text), d.figures);
+    outcome.figures = summarize(Json::parse(summary.text), d.figures);
   } catch (const std::exception& e) {
     outcome.status = PointStatus::failed;
     outcome.lacks_figures = ended;

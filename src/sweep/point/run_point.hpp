@@ -121,8 +121,8 @@ std::vector<std::string> figures_on_offer(const Design& d,
 /// Returns the numbers of a summary with these dotted names ("wob_mean_n",
 /// "sections.0.mean_area_m2"). True and false count as 1 and 0, null as NaN. Throws InputError that
 /// lists the names without a number, each with the nearest name that has one.
-std::vector<double> figures_of(const nlohmann::ordered_json& summary,
-                               const std::vector<std::string>& names);
+std::vector<double> summarize(const nlohmann::ordered_json& summary,
+                              const std::vector<std::string>& names);
 
 /// Returns the names of all numbers, in the order of the summary.
 std::vector<std::string> figure_names(const nlohmann::ordered_json& summary);

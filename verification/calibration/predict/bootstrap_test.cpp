@@ -45,7 +45,7 @@ TEST(Bootstrap, its_standard_errors_are_those_of_the_derivatives) {
 }
 
 TEST(Bootstrap, of_one_replicate_scatters_by_nothing) {
-  for (const BootstrapFigures& f : bootstrap(good_fit(), {0.95, 1, 3}).coefficients) {
+  for (const BootstrapSummary& f : bootstrap(good_fit(), {0.95, 1, 3}).coefficients) {
     EXPECT_EQ(f.low, f.mean);
     EXPECT_EQ(f.high, f.mean);
   }

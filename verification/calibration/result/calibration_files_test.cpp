@@ -51,7 +51,7 @@ void expect_coefficients(const json& found, const FittedSet& set) {
     for (const auto& [key, number] : {std::pair{"se", f.se}, {"low", f.low}, {"high", f.high}})
       EXPECT_EQ(one.at(key), f.at_bound ? json() : json(number)) << f.key << ' ' << key;
     EXPECT_EQ(one.at("prior_sd"), f.key == "A6" ? json(0.2) : json());
-    const BootstrapFigures& b = set.replicates.coefficients.at(k);
+    const BootstrapSummary& b = set.replicates.coefficients.at(k);
     EXPECT_EQ(one.at("bootstrap"),
               (json{{"mean", b.mean}, {"se", b.se}, {"low", b.low}, {"high", b.high}}));
   }

@@ -16,9 +16,9 @@ std::string problems_of(const Config& c) {
   return "";
 }
 
-TEST(ConfigWords, keep_kind_and_digits) {
+TEST(ConfigScalars, keep_kind_and_digits) {
   Config c = config_of("a = [\"60 rpm\", 0.1, 3, true, \"7\"]\nb = 2.5\n");
-  const std::vector<ConfigWord> words = c.words("a");
+  const std::vector<ConfigScalar> words = c.words("a");
   ASSERT_EQ(words.size(), 5u);
   EXPECT_EQ(words[0].text, "60 rpm");
   EXPECT_EQ(words[0].toml, "\"60 rpm\"");
@@ -27,11 +27,11 @@ TEST(ConfigWords, keep_kind_and_digits) {
   EXPECT_EQ(words[3].toml, "true");
   EXPECT_EQ(words[4].toml, "\"7\"");
   EXPECT_EQ(c.word("b", {}).toml, "2.5");
-  EXPECT_EQ(c.word("c", ConfigWord{"x", "\"x\""}).text, "x");
+  EXPECT_EQ(c.word("c", ConfigScalar{"x", "\"x\""}).text, "x");
   EXPECT_EQ(problems_of(c), "");
 }
 
-TEST(ConfigWords, reject_tables_and_empty_values) {
+TEST(ConfigScalars, reject_tables_and_empty_values) {
   Config c = config_of("a = [[1]]\nb = {x = 1}\nd = []\n");
   c.words("a");
   c.word("b", {});
@@ -48,7 +48,7 @@ TEST(ConfigWords, reject_tables_and_empty_values) {
 }
 
 /// Settings that one file makes for another, as overrides with the same meaning there.
-TEST(ConfigWords, of_a_table_are_overrides) {
+TEST(ConfigScalars, of_a_table_are_overrides) {
   Config c = config_of("[set]\nx.y = \"2 mm\"\nn = 3\nl = [1.5, [\"a\"]]\n");
   const std::vector<std::string> all = c.table("set").assignments();
   EXPECT_EQ(all, (std::vector<std::string>{"l=[1.5, [\"a\"]]", "n=3", "x.y=\"2 mm\""}));
@@ -57,7 +57,7 @@ TEST(ConfigWords, of_a_table_are_overrides) {
 }
 
 /// A name with a dot in it cannot be said as an override: it is an unknown key, and the others are read.
-TEST(ConfigWords, of_a_table_leave_out_names_that_are_no_keys) {
+TEST(ConfigScalars, of_a_table_leave_out_names_that_are_no_keys) {
   Config c = config_of("[set]\n\"a.b\" = 1\nz = 2\n");
   EXPECT_EQ(c.table("set").assignments(), std::vector<std::string>{"z=2"});
   EXPECT_EQ(problems_of(c).rfind("words.toml:1: set.a.b: found an unknown key", 0), 0u)

@@ -36,24 +36,34 @@ struct Chuck {
     v(mass, {.name = "mass", .unit = "kg", .need = Need::required, .meaning = "of it"});
     v(wear, {.name = "wear", .unit = "m", .meaning = "of the jaws"});
     v(place, {.name = "place", .unit = "m", .meaning = "in the drill"});
-    v(angles, {.name = "angles", .unit = "rad", .usual = "1 rad", .meaning = "of the jaws"});
-    v(inertia, {.name = "inertia", .unit = "kg m2", .usual = "1", .meaning = "of the chuck"});
-    v(profile, {.name = "profile", .unit = "m", .usual = "none", .meaning = "of the chuck"});
-    v(owners, {.name = "owners", .usual = "none", .meaning = "by name"});
-    v(turns,
-      {.name = "turns", .need = Need::optional, .usual = "not counted", .meaning = "so far"});
+    v(angles,
+      {.name = "angles", .unit = "rad", .computed_default = "1 rad", .meaning = "of the jaws"});
+    v(inertia,
+      {.name = "inertia", .unit = "kg m2", .computed_default = "1", .meaning = "of the chuck"});
+    v(profile,
+      {.name = "profile", .unit = "m", .computed_default = "none", .meaning = "of the chuck"});
+    v(owners, {.name = "owners", .computed_default = "none", .meaning = "by name"});
+    v(turns, {.name = "turns",
+              .need = Need::optional,
+              .computed_default = "not counted",
+              .meaning = "so far"});
     v(teeth, {.name = "teeth", .lo = 1, .hi = 9, .meaning = "how many"});
     v(seed, {.name = "seed", .meaning = "of chatter"});
     v(open, {.name = "open", .meaning = "whether it is"});
     v(label, {.name = "label", .meaning = "for the report"});
-    v.path(drawing,
-           {.name = "drawing", .need = Need::optional, .usual = "none", .meaning = "a file"});
-    v.name(steel, {.name = "steel", .names = &steels, .usual = "mild", .meaning = "its material"});
+    v.path(drawing, {.name = "drawing",
+                     .need = Need::optional,
+                     .computed_default = "none",
+                     .meaning = "a file"});
+    v.name(
+        steel,
+        {.name = "steel", .names = &steels, .computed_default = "mild", .meaning = "its material"});
     v(shape, {.name = "shape",
               .values = {{{"round", Shape::round}, {"square", Shape::square}}},
               .meaning = "of the jaws"});
     v(hole, {.name = "hole", .values = {{{"round", Shape::round}}}, .meaning = "of the chuck"});
-    v.any(AnyKey{.name = "KEY", .kind = "any", .usual = "none", .meaning = "of the drill"});
+    v.any(AnyKey{
+        .name = "KEY", .kind = "any", .computed_default = "none", .meaning = "of the drill"});
   }
 };
 

@@ -18,9 +18,9 @@ constexpr QuantityKey length{.name = "length",
                              .meaning = "of the chuck"};
 constexpr QuantityKey mass{.name = "mass", .unit = "kg", .meaning = "of it"};
 constexpr QuantityKey ramp{
-    .name = "ramp", .unit = "s", .usual = "one turn", .meaning = "until full"};
+    .name = "ramp", .unit = "s", .computed_default = "one turn", .meaning = "until full"};
 constexpr VectorKey place{.name = "place", .unit = "m", .fallback = {{0.0, 0.0, 1.0}}};
-constexpr ListKey angles{.name = "angles", .unit = "rad", .usual = "none"};
+constexpr ListKey angles{.name = "angles", .unit = "rad", .computed_default = "none"};
 constexpr IntegerKey teeth{.name = "teeth", .fallback = 3, .lo = 1, .hi = 9, .meaning = "how many"};
 constexpr FlagKey open{.name = "open", .fallback = false, .meaning = "whether it is"};
 constexpr TextKey label{.name = "label", .fallback = "none", .meaning = "for the report"};
@@ -103,9 +103,10 @@ TEST(Key, is_described_in_words) {
   EXPECT_EQ(words(row(label)), "label|text|\"none\"||for the report");
   EXPECT_EQ(words(row(shape)), "shape|one of|\"square\"|round, square|of the jaws");
   EXPECT_EQ(words(row(steel)), "steel|one of|required|mild, hard|what it is made of");
-  EXPECT_EQ(words(row(WordKey{.name = "from", .usual = "none", .meaning = "where it begins"})),
+  EXPECT_EQ(words(row(ScalarKey{
+                .name = "from", .computed_default = "none", .meaning = "where it begins"})),
             "from|value with unit|none||where it begins");
-  EXPECT_EQ(words(row(WordsKey{.name = "levels", .meaning = "all of them"})),
+  EXPECT_EQ(words(row(ScalarsKey{.name = "levels", .meaning = "all of them"})),
             "levels|list of values|required||all of them");
   EXPECT_EQ(words(row(AnyKey{"KEY", "as in the drill", "the drill's", "any of its keys"})),
             "KEY|as in the drill|the drill's||any of its keys");

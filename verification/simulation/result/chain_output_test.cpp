@@ -46,7 +46,7 @@ TEST(ChainSummary, has_the_static_loads_and_frequencies_of_the_string_alone) {
   constexpr double rounding = 1e-12;
   const Case c = drilling({"time.duration='0.1 s'"});
   const Simulation s = start(c);
-  const StringFigures run = *summary_of(c, s, RunStatus::completed).string;
+  const StringSummary run = *summary_of(c, s, RunStatus::completed).string;
   const ChainPlan plan = alone(c).plan;
   const std::vector<StaticLoad> loads = static_loads(plan);
   ASSERT_EQ(run.statics.size(), 4U);

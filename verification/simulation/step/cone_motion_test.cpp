@@ -165,9 +165,9 @@ TEST(ConeMotion, no_torque_is_left_at_any_step) {
   EXPECT_GT(balanced, 50);
 }
 
-ConeFigures wheel_figures(const Case& c) {
+ConeSummary wheel_figures(const Case& c) {
   const Simulation s = drilled(c);
-  return figures_of(c.bit.cones[0], s.state.cones[0], s.statistics.cones[0]);
+  return summarize(c.bit.cones[0], s.state.cones[0], s.statistics.cones[0]);
 }
 
 /// Slip of a toothed wheel on a flat bottom that advances by `advance` (m) over a revolution.
@@ -175,7 +175,7 @@ double wheel_slip(double advance) {
   const Case c = wheel_case(
       "rotary_speed = \"60 rpm\"\nrate_of_penetration = " + std::to_string(advance) + "\n",
       "step = 0.005\nrevolutions = 1.5");
-  const ConeFigures f = wheel_figures(c);
+  const ConeSummary f = wheel_figures(c);
   EXPECT_NEAR(f.rolling_ratio_gage_row, Wheel{}.ratio(), 1e-14);
   EXPECT_NEAR(f.net_slip_gage_row, 1.0 - f.mean_speed_ratio / Wheel{}.ratio(), 1e-15);
   return f.net_slip_gage_row;

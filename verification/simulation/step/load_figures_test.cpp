@@ -71,7 +71,7 @@ TEST(LoadStatisticsSummary, rates_are_displacements_over_time) {
 }
 
 TEST(LoadStatisticsSummary, are_means_and_deviations_of_steps) {
-  const LoadStatisticsSummary f = figures_of(small_bit(), two_steps().s, 5.0);
+  const LoadStatisticsSummary f = summarize(small_bit(), two_steps().s, 5.0);
   EXPECT_EQ(f.steps, 2);
   EXPECT_NEAR(f.from, 4.98, rounding);
   EXPECT_EQ(f.to, 5.0);
@@ -86,7 +86,7 @@ TEST(LoadStatisticsSummary, are_means_and_deviations_of_steps) {
 
 /// 3 T/(D W); W/A + w T/(A v); the side force over the weight, in the bit's frame a quarter back.
 TEST(LoadStatisticsSummary, have_the_ratios_of_drilling) {
-  const LoadStatisticsSummary f = figures_of(small_bit(), two_steps().s, 5.0);
+  const LoadStatisticsSummary f = summarize(small_bit(), two_steps().s, 5.0);
   const double area = pi * 0.01;
   EXPECT_NEAR(f.aggressiveness, 3.0 * 20.0 / (0.2 * 1000.0), rounding);
   EXPECT_DOUBLE_EQ(f.specific_energy, 1000.0 / area + 12.0 * 20.0 / (area * 0.004));
@@ -96,7 +96,7 @@ TEST(LoadStatisticsSummary, have_the_ratios_of_drilling) {
 
 /// What a part removed is what its whole cutter did; parts without a force are left out.
 TEST(LoadStatisticsSummary, have_every_part_with_a_force) {
-  const LoadStatisticsSummary f = figures_of(small_bit(), two_steps().s, 5.0);
+  const LoadStatisticsSummary f = summarize(small_bit(), two_steps().s, 5.0);
   ASSERT_EQ(f.parts.size(), 2U);
   EXPECT_EQ(f.parts[0].name, "cutter-1/face");
   EXPECT_DOUBLE_EQ(f.parts[0].normal.mean, 1000.0);
@@ -109,7 +109,7 @@ TEST(LoadStatisticsSummary, have_every_part_with_a_force) {
 }
 
 TEST(LoadStatisticsSummary, of_no_step_are_nothing) {
-  const LoadStatisticsSummary f = figures_of(small_bit(), {}, 5.0);
+  const LoadStatisticsSummary f = summarize(small_bit(), {}, 5.0);
   EXPECT_EQ(f.steps, 0);
   EXPECT_EQ(f.aggressiveness, 0.0);
   EXPECT_EQ(f.specific_energy, 0.0);

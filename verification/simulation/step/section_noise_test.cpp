@@ -11,12 +11,12 @@
 namespace tdbd::simulation::section_noise_test {
 
 /// The figures of the second revolution of the standard workload.
-std::vector<FaceFigures> second_revolution(const Case& c) {
+std::vector<FaceSummary> second_revolution(const Case& c) {
   const long steps = std::lround(2.0 * std::numbers::pi / c.motion.rotary_speed / c.time.step);
   Simulation s = start(c);
   while (s.state.steps_done <= 2 * steps) step(c, s);
   EXPECT_EQ(s.statistics.faces.refused_deep + s.statistics.faces.refused_over_the_top, 0);
-  return figures_of(c.bit, s.statistics.faces);
+  return summarize(c.bit, s.statistics.faces);
 }
 
 double median(std::vector<double> x) {
@@ -24,7 +24,7 @@ double median(std::vector<double> x) {
   return x[x.size() / 2];
 }
 
-double ratio(const FaceFigures& f) { return f.mean_swept_by_section / f.mean_removed; }
+double ratio(const FaceSummary& f) { return f.mean_swept_by_section / f.mean_removed; }
 
 Case standard_workload() {
   return read_case(TDBD_SOURCE_DIR "/cases/standard-workload.toml", {"measure.contact=off"});
@@ -34,7 +34,7 @@ Case standard_workload() {
 TEST(SectionNoise, is_small_and_the_mean_is_the_volume_removed) {
   std::vector<double> noise, noise_of_volumes, ratios;
   double swept = 0.0, removed = 0.0;
-  for (const FaceFigures& f : second_revolution(standard_workload())) {
+  for (const FaceSummary& f : second_revolution(standard_workload())) {
     noise.push_back(f.rms_swept_by_section);
     noise_of_volumes.push_back(f.rms_removed);
     ratios.push_back(ratio(f));

@@ -19,7 +19,7 @@ const nlohmann::ordered_json summary{{"steps", 12},
 TEST(Figures, are_numbers_at_any_depth) {
   EXPECT_EQ(figure_names(summary),
             (std::vector<std::string>{"steps", "mean", "met", "inner.deep.0.x", "inner.deep.1.x"}));
-  const std::vector<double> found = figures_of(summary, {"inner.deep.1.x", "steps", "met", "mean"});
+  const std::vector<double> found = summarize(summary, {"inner.deep.1.x", "steps", "met", "mean"});
   EXPECT_EQ(found[0], 2.5);
   EXPECT_EQ(found[1], 12.0);
   EXPECT_EQ(found[2], 1.0);
@@ -28,7 +28,7 @@ TEST(Figures, are_numbers_at_any_depth) {
 
 TEST(Figures, that_are_none_are_named_with_the_nearest) {
   try {
-    figures_of(summary, {"step", "name", "steps"});
+    summarize(summary, {"step", "name", "steps"});
     FAIL();
   } catch (const InputError& e) {
     EXPECT_STREQ(e.what(),
