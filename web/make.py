@@ -30,7 +30,7 @@ from PIL import Image  # noqa: E402
 
 BITS = ("bit-a.toml", "bit-a.csv", "bit-b.toml", "bit-b.csv", "bit-c.toml", "bit-c.csv", "bit-r.toml", "bit-m.toml")
 SHARED = ("unpack.js", "camera.js", "shaders.js", "meshes.js", "draw.js", "legend.js", "traces.js", "controls.js", "scene.js")
-OWN = ("case_text.js", "volumes.js", "live_traces.js", "live_scene.js", "drive.js")
+OWN = ("case_text.js", "case_zip.js", "volumes.js", "live_traces.js", "live_scene.js", "drive.js")
 STILL = 480  # pixels to a side of the picture for browsers that cannot draw
 
 

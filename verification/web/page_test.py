@@ -120,7 +120,7 @@ class Page(Driven):
         stood = self.value("live.last.time_s")
         time.sleep(0.5)
         self.assertEqual(self.value("live.last.time_s"), stood)
-        self.assertEqual(self.value("place('pause').textContent"), "Go on")
+        self.assertEqual(self.value("place('pause').textContent"), "Resume")
         self.value("place('view').focus()")
         self.browser.press(" ")
         self.until(f"live.last.time_s > {stood}")
@@ -159,7 +159,7 @@ class Page(Driven):
     def test_gives_away_what_it_made(self):
         self.value("window.saved = {}, save = (name, content) => { saved[name] = content; }")
         look = self.drill()
-        for button in ("surface", "volumes-csv", "traces-csv", "case"):
+        for button in ("surface", "volumes-csv", "traces-csv", "case-zip"):
             self.value(f"place('{button}').click()")
         self.until("Object.keys(saved).length === 4")
         header = self.value("new TextDecoder().decode(saved['rock.ply'].slice(0, 400))")
@@ -167,7 +167,14 @@ class Page(Driven):
         self.assertEqual(len(self.value("saved['volumes.csv']").splitlines()), 1 + len(look["removed_by_part_m3"]))
         rows = self.value("saved['traces.csv']").splitlines()
         self.assertEqual((rows[0], len(rows)), ("time_s,wob_kN,tob_N_m", 1 + look["steps"]))
-        self.assertIn('edge_length = "5 mm"', self.value("saved['case.toml']"))
+        self.assertIn("bit-b/case.toml", self.value("new TextDecoder().decode(saved['bit-b.zip'])"))
+        self.assertIn('edge_length = "5 mm"', self.value("live.files['case.toml']"))
+
+    def test_drills_under_a_weight(self):
+        look = self.drill(drive="weight", revolutions=1)
+        self.assertFalse(self.value("place('weight-is').hidden"))
+        self.assertIn("ROP", self.value("place('status').textContent"))
+        self.assertGreater(look["removed_m3"], 1e-6)
 
     def test_keys_turn_and_cut(self):
         self.drill()

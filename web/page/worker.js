@@ -92,7 +92,7 @@ const orders = {
     tdbd = await createTdbd({wasmBinary: program});
     postMessage({kind: "loaded"});
   },
-  start({files}) {
+  start({files, wanted}) {
     runs = false;
     samples = emptySamples();
     writeFiles(files);
@@ -104,7 +104,7 @@ const orders = {
     groups = found.numbers;
     call("show_bit", null);
     const bit = shownMesh("triangles");
-    sendRock("started", {facts, bit, names: found.names, groups});
+    sendRock("started", {facts, bit, names: found.names, groups, wanted});
     runs = true;
     turn.port2.postMessage(null);
   },
