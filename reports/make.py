@@ -66,10 +66,11 @@ def sources(manifest, drawing, others, evidence_folder):
             + [p for m in others for run in m.runs() for p in m.products(run)])
 
 
-def stale_page(html, shown):
-    """A problem if the page is older than one of the files that it shows, as a list."""
-    if not html.is_file():
-        return [f"{html}: has not been made"]
+def stale_page(html, shown, studies_shown):
+    """A problem if a page is missing, or the page of the report is older than one of the files that it shows, as a list."""
+    for page_of in (html, *(html.parent / f"studies/{s.name}.html" for s in studies_shown)):
+        if not page_of.is_file():
+            return [f"{page_of}: has not been made"]
     newer = [s for s in shown if s.stat().st_mtime_ns > html.stat().st_mtime_ns]
     return [f"{html}: older than {newer[0]}"] if newer else []
 
@@ -120,7 +121,7 @@ def report(chosen):
               compared := comparison.Comparisons(chosen.root, chosen.build, chosen.output / "comparison", chosen.quick)]
     html = chosen.output / "index.html"
     if chosen.check:
-        problems = stale(manifest, data, drawing, pages + others) or stale_page(html, sources(manifest, drawing, others, folder))
+        problems = stale(manifest, data, drawing, pages + others) or stale_page(html, sources(manifest, drawing, others, folder), made.runs())
         return problems + unproved + missing_counterparts(index, calibrated)
     html.unlink(missing_ok=True)
     problems = update(manifest, data, drawing, pages, others) or stale(manifest, data, drawing, pages + others)

@@ -1,4 +1,4 @@
-"""The evidence page, one HTML file: its chapters with the claims and figures of each, and everything that it embeds."""
+"""The evidence page with a summary, its chapters, their claims and figures, and everything that it embeds; and the pages of studies."""
 
 import base64
 import json
@@ -15,10 +15,14 @@ from markupsafe import Markup, escape
 import calibrations
 import class_table
 import evidence
+import page_links
+import readme
 import studies
 import thesis_index
 from drawing import DPI
+from fingerprint import Stale
 from manifest import ManifestError
+from readme_rows import ROWS
 
 HERE = Path(__file__).parent
 
@@ -118,11 +122,39 @@ def pictures(manifest, data, drawing):
             for f in manifest.figures]
 
 
-def shown_studies(made):
-    """What the page shows of each study: title, text, table, figure."""
-    return [{"study": s, "text": studies.as_html(s.text), "table": made.table(s),
-             "picture": (figure := made.figure(s)) and embedded(figure), "width": figure and shown_width(figure)}
-            for s in made.runs()]
+WORDS = {"holds": "hold", "holds with limits": "hold with limits", "refuted": "refuted", evidence.OPEN: "open: no test measures them",
+         evidence.NOT_MEASURED: "not measured in this run"}
+
+
+def headlines(root):
+    """(what, value, by) of the table of measurements in the root README, from reports/readme.json; none in a project without that file.
+    `readme.problems` compares the file with the current evidence."""
+    try:
+        kept = readme.read_kept(root)
+    except Stale:
+        return []
+    return [(row.what, row.value.format(*(kept[n.key()] for n in row.numbers)), row.by)
+            for row in ROWS if all(n.key() in kept for n in row.numbers)]
+
+
+def summary(shown, root):
+    """What the first screen of the page states: the rows of each verdict, and the headline numbers. `shown`: of `rows`."""
+    by_verdict = [(verdict, [r for r in shown if r["verdict"] == verdict]) for verdict in WORDS]
+    return {"claims": len(shown), "measurements": sum(len(r["evidence"]) for r in shown), "words": WORDS,
+            "by_verdict": [(verdict, found) for verdict, found in by_verdict if found or verdict in evidence.VERDICTS],
+            "headlines": headlines(root)}
+
+
+def study_pages(environment, made, root):
+    """{path in the report: HTML} of each study: title, text, tables, figure."""
+    names = {s.name for s in made.runs()}
+    template, pages = environment.get_template("study_page.html.j2"), {}
+    for s in made.runs():
+        picture = made.figure(s)
+        pages[f"studies/{s.name}.html"] = template.render(
+            study=s, text=page_links.in_report(studies.as_html(s.text, studies.STUDY_LEVEL), s, root, names),
+            table=page_links.in_report(made.table(s), s, root, names), picture=picture and embedded(picture), width=picture and shown_width(picture))
+    return pages
 
 
 def shown_sets(makers):
@@ -156,24 +188,41 @@ def provenance(manifest, data):
 def thesis_rows(index, whole, manifest):
     """The rows of the list of the thesis's figures and tables, with where each link leads: None where --quick leaves it out."""
     shown = {f.name for f in manifest.figures}
-    places = {"figure": "figure-{}", "study": "study-{}", "claim": "claim-{}", "chapter6": "calibration-chapter6"}
+    places = {"figure": "#figure-{}", "study": "studies/{}.html", "claim": "#claim-{}", "chapter6": "#calibration-chapter6"}
     return [{"row": row, "links": [(name, None if kind == "figure" and name not in shown else places[kind].format(name))
                                    for kind, name in row.links]} for row in thesis_index.rows(index, whole)]
 
 
-def write(path, manifest, data, drawing, made, makers, found, thesis, is_quick):
-    """Writes the page, whole or not at all. `thesis`: the index of the thesis's figures, and the whole manifest."""
-    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), autoescape=True,
-                                     undefined=jinja2.StrictUndefined, trim_blocks=True,
+def environment_of():
+    """The templates of the report, with filters for names that may break, labels of figures and text with code."""
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True,
                                      lstrip_blocks=True)
-    environment.filters |= {"breakable": breakable, "label": label}
-    html = environment.get_template("page.html.j2").render(
-        chapters=chapters(manifest), rows=rows(manifest, found), pictures=pictures(manifest, data, drawing), studies=shown_studies(made),
+    environment.filters |= {"breakable": breakable, "label": label, "code": page_links.with_code}
+    return environment
+
+
+def write_whole(path, text):
+    """Writes a file, whole or not at all."""
+    partial = Path(f"{path}.partial")
+    partial.parent.mkdir(parents=True, exist_ok=True)
+    partial.write_text(text, encoding="utf-8")
+    partial.rename(path)
+
+
+def write(path, manifest, data, drawing, made, makers, found, thesis, is_quick):
+    """Writes the pages of the studies, then the page of the report. `thesis`: the index of the thesis's figures, and the whole manifest.
+    Raises Stale, without writing anything, if a link leads nowhere."""
+    environment, shown = environment_of(), rows(manifest, found)
+    pages = study_pages(environment, made, data.root)
+    pages[path.name] = environment.get_template("page.html.j2").render(
+        summary=summary(shown, data.root), chapters=chapters(manifest), rows=shown, pictures=pictures(manifest, data, drawing), studies=made.runs(),
         sets=shown_sets(makers),
         bits=manifest.bit_pages, animations=manifest.animations, pages3d=manifest.pages3d, classes=class_table.rows(data.root),
         thesis=thesis_rows(*thesis, manifest), thesis_counts=thesis_index.counts(thesis_index.rows(*thesis)),
         provenance=provenance(manifest, data), is_quick=is_quick, not_measured=evidence.NOT_MEASURED)
-    partial = Path(f"{path}.partial")
-    partial.parent.mkdir(parents=True, exist_ok=True)
-    partial.write_text(html, encoding="utf-8")
-    partial.rename(path)
+    if problems := page_links.dead(pages, path.parent):
+        raise Stale("\n".join(problems))
+    for old in (path.parent / "studies").glob("*.html"):
+        old.unlink()
+    for name, text in pages.items():
+        write_whole(path.parent / name, text)

@@ -23,10 +23,12 @@ import system_python
 system_python.require("markdown", "matplotlib", "numpy")
 
 import fingerprint
+import page_links
 from fingerprint import Stale
 
 HERE = Path(__file__).resolve().parent
 TIME_LIMIT = 120  # s; a study is made from data, without measurements
+STUDY_LEVEL = 2  # of headings on the page of a study
 PRODUCTS = ("table.md", "figure.png")
 MADE_BY = ("study.py", "study_figures.py", "study_tools.py", "figures/style.py")  # a change of these makes all studies again
 
@@ -58,12 +60,11 @@ def find(root):
     return [read(f) for f in sorted((Path(root) / "reports/studies").glob("*")) if f.is_dir() and f.name != "__pycache__"]
 
 
-def as_html(text):
-    """Markdown as HTML, with headings one level below those of the page."""
+def as_html(text, level=4):
+    """Markdown as HTML, with all headings at one level, and tables that scroll within their boxes."""
     import markdown
-    from markupsafe import Markup
     html = markdown.markdown(text, extensions=["tables", "fenced_code"], output_format="html")
-    return Markup(re.sub(r"<(/?)h[1-6]>", r"<\1h4>", html))
+    return page_links.in_boxes(re.sub(r"<(/?)h[1-6]>", rf"<\1h{level}>", html))
 
 
 class Studies:
@@ -127,7 +128,7 @@ class Studies:
     def table(self, study):
         """The table as HTML; empty if there is none."""
         path = self.folder(study) / "table.md"
-        return as_html(path.read_text(encoding="utf-8")) if path.is_file() else ""
+        return as_html(path.read_text(encoding="utf-8"), STUDY_LEVEL) if path.is_file() else ""
 
     def figure(self, study):
         """The path of the figure; None if there is none."""

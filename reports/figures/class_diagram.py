@@ -8,10 +8,10 @@ from matplotlib.textpath import text_to_path
 
 from figures import headers, style
 
-COLUMNS, WIDTH, GAP = 4, 2.72, 0.12  # in a row; inches
-LINE, POINTS = 0.132, 6.6
+COLUMNS, WIDTH, GAP = 3, 3.05, 0.12  # in a row; inches
+LINE, POINTS = 0.172, 8.8  # inches; as large as the text of the page, which shows the picture a little smaller
 INDENT = 4 * " "
-MARGIN, HEAD = 0.55, 0.26  # on the right, for arrows; above the boxes of a folder
+MARGIN, HEAD = 0.55, 0.3  # on the right, for arrows; above the boxes of a folder
 TITLE, FILE, FIELD, OWN, FUNCTION = (
     {"weight": "bold", "color": style.BLACK}, {"color": style.GREY}, {"color": style.BLACK}, {"color": style.BLUE},
     {"color": style.GREEN, "style": "italic"})
@@ -134,7 +134,7 @@ def draw_box(axes, box, x, y):
 def draw_folder(axes, name, columns, top, height):
     whole = COLUMNS * (WIDTH + GAP) + GAP
     axes.add_patch(Rectangle((0, top - height), whole, height, facecolor="#eef2f6", edgecolor="none"))
-    axes.text(GAP, top - 0.18, f"src/{name}", fontsize=9, weight="bold", color=style.BLACK)
+    axes.text(GAP, top - 0.21, f"src/{name}", fontsize=11, weight="bold", color=style.BLACK)
     for k, column in enumerate(columns):
         y = top - HEAD
         for box in column:

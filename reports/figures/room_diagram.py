@@ -5,7 +5,7 @@ from matplotlib.patches import FancyArrowPatch, Rectangle
 from figures import headers, style
 from figures.class_diagram import POINTS, wrapped
 
-WIDTH, GAP, LINE, ROW_GAP = 2.35, 0.5, 0.135, 0.55  # inches
+WIDTH, GAP, LINE, ROW_GAP = 3.0, 0.5, 0.172, 0.6  # inches
 
 
 def room_of(path):
@@ -56,7 +56,7 @@ def lines_of(room, texts):
 def draw_room(axes, room, lines, x, top):
     height = LINE * (len(lines) + 2.6)
     axes.add_patch(Rectangle((x, top - height), WIDTH, height, facecolor="#eef2f6", edgecolor=style.GREY, linewidth=0.8, zorder=2))
-    axes.text(x + 0.1, top - 1.4 * LINE, f"src/{room}", fontsize=9, weight="bold", color=style.BLACK, zorder=3)
+    axes.text(x + 0.1, top - 1.4 * LINE, f"src/{room}", fontsize=11, weight="bold", color=style.BLACK, zorder=3)
     for k, line in enumerate(lines):
         axes.text(x + 0.1, top - (k + 2.5) * LINE, line, fontsize=POINTS, color=style.BLACK if k else style.GREY, zorder=3)
     return height

@@ -14,6 +14,7 @@ import balance
 root, build = map(pathlib.Path, sys.argv[1:])
 sys.path.insert(0, str(root / "reports"))
 import manifest  # noqa: E402
+import page_links  # noqa: E402
 import studies  # noqa: E402
 from evidence import NOT_MEASURED, OPEN, VERDICTS  # noqa: E402
 
@@ -40,12 +41,14 @@ for figure in wanted.figures:
         assert "<image" not in (build / f"report-quick/figures/{figure.name}.svg").read_text(encoding="utf-8"), figure.name
     assert ("Reconstructed:" in block[0]) == bool(figure.reconstructed), figure.name
 shown = studies.find(root)
-drawn = 0
+pages = {"index.html": page}
 for study in shown:
-    section = re.search(rf'<section id="study-{study.name}">.*?</section>', page, re.DOTALL)
-    assert section and ("<td" in section[0] or re.search(PICTURE, section[0])), study.name
-    drawn += len(re.findall(PICTURE, section[0]))
-assert len(re.findall(PICTURE, page)) == sum(f.form != "table" for f in wanted.figures) + drawn
+    assert f'href="studies/{study.name}.html"' in page, study.name
+    section = (build / f"report-quick/studies/{study.name}.html").read_text(encoding="utf-8")
+    assert "<td" in section or re.search(PICTURE, section), study.name
+    balance.check(section)
+    pages[f"studies/{study.name}.html"] = section
+assert len(re.findall(PICTURE, page)) == sum(f.form != "table" for f in wanted.figures)
 assert len(re.findall("<img ", page)) == len(re.findall('<img alt="[^"]+"', page)), "a picture without words"
 contents = re.search(r'<nav aria-label="Contents">.*?</nav>', page, re.DOTALL)[0]
 for figure in wanted.figures:
@@ -56,8 +59,15 @@ for described in re.findall(r'aria-describedby="([^"]+)"', page):
     assert f'id="{described}"' in page, described
 listed = page.split('id="thesis-index"')[1].split("</table>")[0]
 assert "92 figures:" in listed and "11 tables:" in listed and listed.count("<tr><td>") == 103
-for place in re.findall(r'href="#([^"]+)"', page):
-    assert f'id="{place}"' in page, f"a link to {place}, which is not on the page"
+assert page_links.dead(pages, build / "report-quick") == []
+for name, text in pages.items():
+    text = re.sub(r"<(pre|style|code).*?</\1>|src=\"data:[^\"]*\"", "", text, flags=re.DOTALL)
+    assert "`" not in text, f"{name}: a backtick in {text[text.index('`') - 60:][:120]!r}"
+    assert text.count("<table") == text.count('<div class="wide" tabindex="0"><table>'), f"{name}: a table that does not scroll"
+screen = page[:page.index('<nav aria-label="Contents">')]
+for verdict in ("hold", "hold with limits", "refuted"):
+    assert re.search(rf"<b>[0-9]+</b>{verdict}</li>", screen), verdict
+assert "Headline numbers" in screen and "within 0.07 %" in screen
 for name in ("comparison", "chapter6", "measured"):  # the full report makes them
     section = re.search(rf'<h2 id="calibration-{name}">.*?<h2', page, re.DOTALL)
     assert section and "Not made in this run" in section[0], name

@@ -165,6 +165,25 @@ class Report(OfOneProject):
         self.assertIn("refuted", row)  # the worst verdict is the claim's
         self.assertIn("all 2 measurements", row)
 
+    def summary(self):
+        """What the page states before its contents."""
+        return (self.project.out / "index.html").read_text(encoding="utf-8").split('<nav aria-label="Contents">')[0]
+
+    def test_the_page_begins_with_the_verdicts(self):
+        for words in ("1 claims", "1 measurements", "<b>1</b>hold</li>", "<b>0</b>hold with limits</li>", "<b>0</b>refuted</li>"):
+            self.assertIn(words, self.summary())
+        self.assertNotIn("Refuted: ", self.summary())
+        self.project.measure(EVIDENCE | {"verdict": "refuted"}, "second")
+        self.assert_made()
+        for words in ("<b>0</b>hold</li>", "<b>1</b>refuted</li>", "<summary>Refuted: 1</summary>",
+                      '<a href="#claim-chapter5/order">Second &lt;order&gt;</a>'):
+            self.assertIn(words, self.summary())
+
+    def test_text_between_backticks_is_code(self):
+        self.project.write("reports/manifest.toml", MANIFEST.replace('shows = "A line."', 'shows = "A `line`."'))
+        self.assert_made()
+        self.assertIn("A <code>line</code>.</p>", (self.project.out / "index.html").read_text(encoding="utf-8"))
+
     def test_a_quick_run_is_shorter_and_elsewhere(self):
         self.assertEqual(self.project.make("--quick")[0], 0)
         self.assertIn("--set time.duration=1 s", self.project.calls()[-1])

@@ -1,6 +1,7 @@
 """studies_test.py ROOT: every study makes a table or a figure of its data; broken studies are named."""
 
 import pathlib
+import shutil
 import sys
 import tempfile
 import unittest
@@ -62,24 +63,50 @@ class Made(unittest.TestCase):
     def write(self, file, text):
         return self.project.write(f"reports/studies/why/{file}", text)
 
+    def page(self, name="why"):
+        return (self.project.out / f"studies/{name}.html").read_text(encoding="utf-8")
+
     def make(self, *words, arguments=()):
         return "made why (" in self.project.make_or_complain(self, words, arguments)
 
     def test_is_made_once_and_shown(self):
         self.assertTrue(self.make())
         self.assertFalse(self.make())
-        page = (self.project.out / "index.html").read_text(encoding="utf-8")
-        section = page[page.index('<section id="study-why">'):].split("</section>")[0]
-        for words in ("<h3>Why &lt;n&gt;</h3>", "<p>Because <code>n</code>.</p>", "<h4>How</h4>", "<pre><code>tdbd run\n</code></pre>",
-                      "<td>17</td>"):
+        section = self.page()
+        for words in ("<h1>Why &lt;n&gt;</h1>", "<p>Because <code>n</code>.</p>", "<h2>How</h2>", "<pre><code>tdbd run\n</code></pre>",
+                      "<td>17</td>", '<a href="../index.html#studies">'):
             self.assertIn(words, section)
+        self.assertIn('<a href="studies/why.html">Why &lt;n&gt;</a>', (self.project.out / "index.html").read_text(encoding="utf-8"))
+
+    def test_its_page_is_made_again_when_it_went_and_removed_with_the_study(self):
+        self.make()
+        (self.project.out / "studies/why.html").unlink()
+        self.make("studies/why.html: has not been made", arguments=("--check",))
+        self.make()
+        shutil.copytree(self.project.root / "reports/studies/why", self.project.root / "reports/studies/how")
+        self.make()
+        self.assertTrue((self.project.out / "studies/how.html").is_file())
+        shutil.rmtree(self.project.root / "reports/studies/how")
+        self.make()
+        self.assertFalse((self.project.out / "studies/how.html").exists())
+
+    def test_links_to_studies_and_files_of_the_project_and_to_nothing_else(self):
+        self.project.write("reports/studies/how/README.md", "# How\n\nSee [why](../why/README.md) and [the case](../../../cases/one.toml).\n")
+        self.project.write("reports/studies/how/study.toml", MAKE)
+        self.project.write("reports/studies/how/data.csv", "n\n17\n")
+        self.make()
+        self.assertIn('See <a href="why.html">why</a> and the case (<code>cases/one.toml</code>).', self.page("how"))
+        self.write("README.md", "# Why\n\nSee [how](../hwo/README.md) and [below](#below).\n")
+        self.make("studies/why.html: found a link to ../hwo/README.md, expected a file of the report",
+                  "studies/why.html: found a link to #below, expected an element with the id below on studies/why.html")
+        self.assertFalse((self.project.out / "index.html").exists())
 
     def test_is_made_again_when_its_data_changed(self):
         self.make()
         self.write("data.csv", "n\n18\n")
         self.make("study why: its table or figure is missing, or its files changed", arguments=("--check",))
         self.assertTrue(self.make())
-        self.assertIn("<td>18</td>", (self.project.out / "index.html").read_text(encoding="utf-8"))
+        self.assertIn("<td>18</td>", self.page())
         self.make(arguments=("--check",))
 
     def test_is_made_again_when_its_table_went(self):
