@@ -79,7 +79,7 @@ class Pages3d(BitPages):
     """3-D pages NAME.html of runs with frames; none is made of a run that lacks some."""
 
     kind = "3-D page"
-    own = ("page3d.py", "page3d_pack.py", "page3d_run.py", "page3d_scene.py", "animate.py",
+    own = ("page3d.py", "page3d_pack.py", "page3d_parts.py", "page3d_run.py", "page3d_scene.py", "animate.py",
            *(f"web/{path.name}" for path in sorted((HERE / "web").glob("*"))))
 
     def groups(self):

@@ -26,12 +26,14 @@ from PIL import Image
 
 import animate
 import page3d_pack as pack
+import page3d_parts as of_parts
 import page3d_run as of_run
 import page3d_scene as scene
 from figures import bit_motion, render, rock_scene
 
 HERE = Path(__file__).resolve().parent
-SCRIPTS = ("unpack.js", "camera.js", "shaders.js", "meshes.js", "draw.js", "legend.js", "traces.js", "controls.js", "scene.js", "page3d.js")
+SCRIPTS = ("unpack.js", "camera.js", "shaders.js", "meshes.js", "draw.js", "legend.js", "traces.js", "controls.js", "pick.js",
+           "scene.js", "parts.js", "page3d.js")
 STILL = 480  # pixels to a side of the picture for browsers that cannot draw
 
 
@@ -57,17 +59,20 @@ def html_of(folder, most):
     read = of_run.read_frames(folder, most)
     names, group_of_part = scene.groups(run, read.found)
     box, entries, parts = scene.packed_rock(read.found, group_of_part)
-    bit, bit_part = scene.packed_bit(read.bit, read.bodies, scene.areas_of_bit(folder))
+    numbers, of_groups = of_parts.groups(folder, run)
+    bit, bit_part = scene.packed_bit(read.bit, read.bodies, scene.areas_of_bit(folder), [numbers[of_parts.group_of(p)] for p in run["removed_volume_by_part_m3"]])
     header = {"title": run["title"], "box": scene.boxed(box), "frames": entries, "missing": read.missing, "listed": read.listed,
               "bit": bit, "colours": scene.colours(read.found, names),
               "revolutions_per_s": run["revolutions"] / run["duration_s"] if run["duration_s"] else 0.0,
-              "traces": of_run.traces(folder)}
+              "parts": of_groups, "traces": of_run.traces(folder)}
     case = folder / "case.toml"
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "web"), autoescape=True, trim_blocks=True,
                                      undefined=jinja2.StrictUndefined, lstrip_blocks=True)
     page = environment.get_template("page3d.html.j2").render(
         run=run, missing=read.missing, count=len(entries), areas="areas" in bit, header=in_script(header), data=base64.b64encode(pack.deflated([*parts, bit_part])).decode(),
-        facts=of_run.facts(run), provenance=of_run.provenance(run), diagnosis=of_run.diagnosis(run),
+        facts=of_run.facts(run), no_traces=of_run.why_no_traces(folder, header["traces"]), part_names=[g["name"] for g in of_groups],
+        forces=any(g["normal_n"] for g in of_groups),
+        means=of_run.means_words(run), provenance=of_run.provenance(run), diagnosis=of_run.diagnosis(run),
         case=case.read_text(encoding="utf-8") if case.is_file() else "", still=still(read.found, bit_motion.placed(read.bit, read.bodies, read.found[-1].poses)),
         style=Markup((HERE / "web/page3d.css").read_text(encoding="utf-8")),
         script=Markup("\n".join((HERE / "web" / name).read_text(encoding="utf-8") for name in SCRIPTS)))

@@ -95,8 +95,10 @@ def trace(name, unit, time, values):
 
 
 def history(folder):
-    """{name: values} of the traces, the place and the volume in history.nc. Raises ValueError."""
+    """{name: values} of the traces, the place and the volume in history.nc; {} without that file. Raises ValueError."""
     wanted = ("time", "position_z", "removed_volume_total", *TRACES)
+    if not (folder / "history.nc").is_file():
+        return {}
     try:
         with netCDF4.Dataset(folder / "history.nc") as data:
             return {name: np.asarray(data[name][:]) for name in wanted if name in data.variables}
@@ -118,6 +120,23 @@ def traces(folder):
     return drawn
 
 
+def why_no_traces(folder, drawn):
+    """Why the page has no traces; empty if it has some."""
+    if drawn:
+        return ""
+    if not (folder / "history.nc").is_file():
+        return "This folder has no history.nc, so there are no traces. tdbd run writes that file; copy it beside summary.json."
+    return "history.nc has fewer than two rows, so there are no traces."
+
+
+def means_words(run):
+    """The part of the run over which means are taken."""
+    if run.get("means_to_s") is None:
+        return "The run is too short for means: output.means_from sets when they begin." if "wob_mean_n" in run else ""
+    more = " The imbalance is the mean lateral force in the frame of the bit." if run.get("imbalance") is not None else ""
+    return f"Means from {run['means_from_s']:.4g} s to {run['means_to_s']:.4g} s.{more}"
+
+
 def diagnosis(run):
     if "diagnosis" in run:
         return run["diagnosis"]["text"] + "."
@@ -133,7 +152,10 @@ def facts(run):
             ("their quality", f"worst {run['rock_quality_min']:.3f}, 1 % below {run['rock_quality_1_percent']:.3f}")]
     means = (("wob_mean_n", "mean weight on bit", 1e-3, "kN"), ("tob_mean_n_m", "mean torque on bit", 1e-3, "kN m"),
              ("rop_mean_m_per_s", "mean rate of penetration", 3600.0, "m/h"))
-    return rows + [(what, f"{scale * run[key]:.4g} {unit}") for key, what, scale, unit in means if run.get(key) is not None]
+    means += (("mechanical_specific_energy_pa", "mechanical specific energy (MSE)", 1e-6, "MPa"),
+              ("imbalance", "imbalance", 100.0, "% of the weight"))
+    shown = [(what, f"{scale * run[key]:.4g} {unit}") for key, what, scale, unit in means if run.get(key) is not None]
+    return rows[:1] + shown + rows[1:]
 
 
 def provenance(run):

@@ -8,7 +8,8 @@ import numpy as np
 from matplotlib.colors import to_hex
 
 import page3d_pack as pack
-from figures import hole_pictures, rock_scene
+import page3d_parts as of_parts
+from figures import rock_scene
 from figures import results
 
 OWN, OWN_COLOUR = "no area", "#b9bec4"
@@ -38,19 +39,14 @@ DIGITS = 8  # of poses: a hundredth of a micron
 UNCUT, UNCUT_COLOUR = "not cut", "#b9b2a6"
 
 
-def group_of(part):
-    """A cutter of its face, chamfer and body; a row of its teeth."""
-    return part.rsplit("/", 1)[0]
-
-
 def groups(run, frames):
     """(names, number of each part's): of those that cut last somewhere; the first are all points that nothing cut."""
     parts = list(run["removed_volume_by_part_m3"])
     seen = np.unique(np.concatenate([f.rock.point_values["last_part"] for f in frames]).astype(int))
     if seen[-1] >= len(parts):
         raise ValueError(f"found a cut by part {seen[-1]}, expected one of the {len(parts)} of summary.json")
-    names = [UNCUT, *dict.fromkeys(group_of(parts[k]) for k in seen[seen >= 0])]
-    return names, np.array([names.index(group_of(p)) if group_of(p) in names else 0 for p in parts])
+    names = [UNCUT, *dict.fromkeys(of_parts.group_of(parts[k]) for k in seen[seen >= 0])]
+    return names, np.array([names.index(g) if (g := of_parts.group_of(p)) in names else 0 for p in parts])
 
 
 def last_groups(rock, group_of_part):
@@ -73,22 +69,23 @@ def packed_rock(frames, group_of_part):
     return box, entries, parts
 
 
-def packed_bit(bit, bodies, areas=None):
-    """(the header's entry, bytes): pieces of one body each; `hull` is what hides the bottom; `areas`: areas_of_bit."""
-    box, layer = pack.grid(bit.points), hole_pictures.bit_layer(bit)
-    colours, colour = np.unique(layer.colours, axis=0, return_inverse=True)
-    hull = (layer.colours == hole_pictures.BODY).all(axis=1)
+def packed_bit(bit, bodies, areas, group_of_part):
+    """(the header's entry, bytes): pieces of one body each; `hull` is what hides the bottom. `areas`: of areas_of_bit; `group_of_part`: the
+    number of each part's group."""
+    box, (names, colours, colour) = pack.grid(bit.points), of_parts.looks(bit)
+    hull = bit.cell_values["kind"].astype(int) == of_parts.HULL
+    part = bit.cell_values["part"].astype(int)
     body = bodies[bit.triangles[:, 0]]
     order = np.lexsort((np.arange(len(hull)), body, hull))
-    arrays = pack.on_grid(bit.points, *box), bit.triangles[order], colour.ravel()[order]
+    arrays = pack.on_grid(bit.points, *box), bit.triangles[order], colour[order], np.asarray(group_of_part)[part][order]
     pieces = [{"hull": bool(h), "body": int(b), "triangles": int(((hull == h) & (body == b)).sum())}
               for h, b in dict.fromkeys(zip(hull[order], body[order]))]
     entry = {"box": boxed(box), "points": len(bit.points), "triangles": len(order), "pieces": pieces,
-             "colours": [to_hex(c) for c in colours]}
+             "names": names, "colours": [to_hex(c) for c in colours]}
     if areas:
         names, area_of_part = areas
         entry["areas"] = {"names": names, "colours": [OWN_COLOUR, *group_colours(len(names) - 1)]}
-        arrays += (np.array(area_of_part)[bit.cell_values["part"].astype(int)][order],)
+        arrays += (np.array(area_of_part)[part][order],)
     return entry, b"".join(map(pack.along, arrays))
 
 

@@ -22,6 +22,7 @@ import system_python  # noqa: E402
 system_python.require("jinja2", "matplotlib", "numpy", "PIL")
 
 import jinja2  # noqa: E402
+import page3d_parts  # noqa: E402
 import page3d_scene  # noqa: E402
 from figures import bit_scene, rock_scene  # noqa: E402
 from markupsafe import Markup  # noqa: E402
@@ -37,7 +38,7 @@ STILL = 480  # pixels to a side of the picture for browsers that cannot draw
 def looks():
     """The colours of the pictures of a run."""
     quality = {"steps": rock_scene.QUALITY_STEPS.boundaries.tolist(), "colours": [to_hex(c) for c in rock_scene.QUALITY.colors]}
-    return {"ramp": [to_hex(c) for c in rock_scene.DEPTH(range(256))], "quality": quality, "kinds": bit_scene.KINDS, "other": bit_scene.OTHER,
+    return {"ramp": [to_hex(c) for c in rock_scene.DEPTH(range(256))], "quality": quality, "kinds": page3d_parts.COLOURS, "words": page3d_parts.WORDS, "other": bit_scene.OTHER,
             "cones": bit_scene.CONES, "uncut": page3d_scene.UNCUT_COLOUR}
 
 

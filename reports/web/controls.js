@@ -23,23 +23,32 @@ function listenToKeys(canvas, view) {
 }
 
 // One finger or button orbits; with Shift or the right button it pans; two fingers zoom.
-function listenToPointers(canvas, {camera, changed}) {
+const STILL = 4;  // pixels: a pointer that moved less has clicked
+
+function listenToPointers(canvas, {camera, changed, click}) {
   const down = new Map();
+  let moved = 0;
   const apart = () => { const [a, b] = [...down.values()]; return Math.hypot(a.x - b.x, a.y - b.y); };
   canvas.addEventListener("pointerdown", event => {
     canvas.setPointerCapture(event.pointerId);
     down.set(event.pointerId, {x: event.clientX, y: event.clientY});
+    moved = 0;
   });
   canvas.addEventListener("pointermove", event => {
     const old = down.get(event.pointerId);
     if (!old) return;
     const [right, low] = [event.clientX - old.x, event.clientY - old.y].map(d => d / canvas.clientHeight);
     const before = down.size === 2 ? apart() : 0;
+    moved += Math.abs(event.clientX - old.x) + Math.abs(event.clientY - old.y);
     down.set(event.pointerId, {x: event.clientX, y: event.clientY});
     if (before) zoom(camera, before / Math.max(apart(), 1));
     else if (event.shiftKey || event.buttons === 2) pan(camera, right, -low);
     else orbit(camera, 4 * right, 4 * low);
     changed();
+  });
+  canvas.addEventListener("pointerup", event => {
+    const box = canvas.getBoundingClientRect();
+    if (click && down.size === 1 && moved < STILL) click(2 * (event.clientX - box.x) / box.width - 1, 1 - 2 * (event.clientY - box.y) / box.height);
   });
   for (const kind of ["pointerup", "pointercancel"]) canvas.addEventListener(kind, event => down.delete(event.pointerId));
   canvas.addEventListener("contextmenu", event => event.preventDefault());

@@ -32,6 +32,8 @@ function drawMesh(gl, at, box, plane, depths, texture, lines) {
   gl.bindTexture(gl.TEXTURE_2D, texture);
 }
 
+const isPieceShown = (state, piece) => state.bit === "all" || (state.bit === "cutting" && !piece.hull);
+
 function draw(scene) {
   const {gl, at, run, state, canvas} = scene, entry = run.frames[state.frame];
   const scale = window.devicePixelRatio || 1;
@@ -50,5 +52,5 @@ function draw(scene) {
   gl.disable(gl.CULL_FACE);
   drawMesh(gl, at, run.bit.box, NOWHERE, [0, 0], scene.textures[state.bitColour === "areas" ? "areas" : "bit"], false);
   drawPieces(gl, at, scene.bit, run.bit.pieces.map(p => (
-    {pose: entry.poses[p.body], count: 3 * p.triangles, isShown: state.bit === "all" || (state.bit === "cutting" && !p.hull)})));
+    {pose: entry.poses[p.body], count: 3 * p.triangles, isShown: isPieceShown(state, p)})));
 }

@@ -37,8 +37,8 @@ function showLegend(place, colours, mode) {
   place.replaceChildren(title, ...{depth: depthLegend, part: partLegend, quality: qualityLegend}[mode](colours[mode]));
 }
 
-// The areas of the bit, or nothing.
-function showAreas(place, areas) {
-  const title = Object.assign(document.createElement("p"), {textContent: "Areas of the bit"});
-  place.replaceChildren(...(areas ? [title, ...partLegend(areas)] : []));
+// The colours of the bit: of its kinds of part, or of its areas.
+function showBitLegend(place, bit, mode) {
+  const title = Object.assign(document.createElement("p"), {textContent: mode === "areas" ? "Areas of the bit" : "Parts of the bit"});
+  place.replaceChildren(title, ...partLegend(mode === "areas" ? bit.areas : bit));
 }

@@ -26,7 +26,13 @@ function connect(scene, changed) {
   };
   const home = () => { Object.assign(scene.camera, homeCamera(run.box)); changed(); };
   const cut = () => { place("cut").checked = !place("cut").checked; place("cut").dispatchEvent(new Event("change")); };
-  const view = {camera: scene.camera, changed, step, play, home, cut};
+  partListeners.push(part => {
+    state.selected = part;
+    fillBit(scene);
+    changed();
+  });
+  const click = (x, y) => selectPart(run.parts, pickedPart(scene, x, y));
+  const view = {camera: scene.camera, changed, step, play, home, cut, click};
   listenToKeys(scene.canvas, view);
   listenToPointers(scene.canvas, view);
   slider.addEventListener("input", () => show(Number(slider.value)));
@@ -41,6 +47,7 @@ async function start() {
   const end = Math.max(...run.frames.map(f => f.time_s), ...run.traces.map(t => t.time.at(-1)), 1e-9);
   const showTime = drawTraces(place("traces"), run.traces, end);
   showTime(run.frames.at(-1).time_s);
+  listenToParts(run.parts);
   const gl = canvas.getContext("webgl2", {antialias: true});
   if (!gl) throw new Error("it has no WebGL 2");
   const read = arrayReader(await inflate(place("data").textContent));

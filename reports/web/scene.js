@@ -5,27 +5,31 @@ const place = id => document.getElementById(id);
 // Takes another run into a scene: its colours, its bit, and an eye that sees all of its first rock.
 function showRun(scene, run, frames, bit) {
   const {gl} = scene, old = Object.values(scene.textures || {});
-  const textures = {bit: colourTexture(gl, run.bit.colours), depth: colourTexture(gl, run.colours.depth.ramp)};
-  if (run.bit.areas) textures.areas = colourTexture(gl, run.bit.areas.colours);
+  const textures = {bit: colourTexture(gl, [...run.bit.colours, SELECTED]), depth: colourTexture(gl, run.colours.depth.ramp)};
+  if (run.bit.areas) textures.areas = colourTexture(gl, [...run.bit.areas.colours, SELECTED]);
   for (const mode of ["part", "quality"]) textures[mode] = colourTexture(gl, run.colours[mode].colours);
   old.forEach(texture => gl.deleteTexture(texture));
   Object.assign(scene, {run, frames, textures, bitMesh: bit});
   scene.state.frame = frames.length - 1;
   Object.assign(scene.camera, homeCamera(run.box));
   fillBit(scene);
+  showBitLegend(place("bit-legend"), run.bit, scene.state.bitColour);
 }
 
-// In the colours of its kinds of part, or of its areas.
+const SELECTED = "#ff2fd0";  // of the part that is selected: no other colour of the page is near
+
+// In the colours of its kinds of part, or of its areas; the selected part in its own.
 function fillBit(scene) {
-  const {gl, bitMesh, state} = scene, colour = state.bitColour === "areas" ? bitMesh.area : bitMesh.colour;
-  fill(gl, scene.bit, corners(bitMesh.points, bitMesh.corners, t => colour[t]));
+  const {gl, bitMesh, state, run} = scene, isAreas = state.bitColour === "areas", colour = isAreas ? bitMesh.area : bitMesh.colour;
+  const own = (isAreas ? run.bit.areas : run.bit).colours.length, part = bitMesh.part;
+  fill(gl, scene.bit, corners(bitMesh.points, bitMesh.corners, t => part && part[t] === state.selected ? own : colour[t]));
 }
 
 function newScene(gl, canvas, run, frames, bit) {
   const {program, at} = drawingProgram(gl);
   gl.useProgram(program);
   gl.enable(gl.DEPTH_TEST);
-  const state = {frame: 0, mode: "depth", bit: "cutting", bitColour: "kind", lines: false, cuts: false, cutAngle: 68, cutMove: 0, plays: false};
+  const state = {frame: 0, mode: "depth", bit: "cutting", bitColour: "kind", selected: -1, lines: false, cuts: false, cutAngle: 68, cutMove: 0, plays: false};
   const scene = {gl, at, canvas, state, camera: {}, rock: newMesh(gl), bit: newMesh(gl)};
   showRun(scene, run, frames, bit);
   return scene;
@@ -61,7 +65,7 @@ function listenToChoices(scene, changed, refill) {
   if (place("bit-colour")) choice("bit-colour", "change", c => {
     state.bitColour = c.value;
     fillBit(scene);
-    showAreas(place("bit-legend"), c.value === "areas" ? scene.run.bit.areas : null);
+    showBitLegend(place("bit-legend"), scene.run.bit, c.value);
   });
   choice("lines", "change", c => { state.lines = c.checked; });
   choice("cut", "change", c => { state.cuts = c.checked; place("cut-where").hidden = !c.checked; });

@@ -64,6 +64,6 @@ function unpackFrames(entries, read) {
 }
 
 function unpackBit(entry, read) {
-  const bit = {points: read(entry.points, 3), corners: read(entry.triangles, 3), colour: read(entry.triangles, 1)[0]};
+  const bit = {points: read(entry.points, 3), corners: read(entry.triangles, 3), colour: read(entry.triangles, 1)[0], part: read(entry.triangles, 1)[0]};
   return entry.areas ? {...bit, area: read(entry.triangles, 1)[0]} : bit;
 }

@@ -109,7 +109,41 @@ class Page(unittest.TestCase):
         self.browser.press("ArrowRight", 2)
         self.assertIn(f"Frame 3 of {FRAMES}", self.words())
         self.assertEqual(self.browser.value("place('time').getAttribute('aria-valuetext')"), self.words())
-        self.assertAlmostEqual(self.browser.value("Number(document.querySelector('.mark').getAttribute('x1'))"), 300, delta=1)
+        middle = self.browser.value("(PLOT.left + PLOT.right) / 2")
+        self.assertAlmostEqual(self.browser.value("Number(document.querySelector('.mark').getAttribute('x1'))"), middle, delta=1)
+
+    def test_traces_have_axes_with_ticks_and_units(self):
+        for name, unit in (("Rate of penetration", "m/h"), ("Rock removed", "cm\u00b3")):
+            ticks = self.browser.value(f"""[...[...document.querySelectorAll('#traces figure')].find(f => f.textContent.includes('{name}'))
+                .querySelectorAll('.tick')].map(t => t.textContent)""")
+            self.assertIn("time, s", ticks)
+            self.assertIn(unit, ticks)
+            numbers = [float(t) for t in ticks if t not in ("time, s", unit)]
+            self.assertGreaterEqual(len(numbers), 6, ticks)
+            self.assertTrue(all(len(t) < 7 for t in ticks[:-2]), ticks)  # no 119.999999999979991
+
+    def test_a_click_on_a_cutter_selects_it_and_a_drag_does_not(self):
+        where = self.browser.value("""started.then(s => { for (let i = 3; i < 17; ++i) for (let k = 3; k < 17; ++k) {
+            const [x, y] = [i / 10 - 1, k / 10 - 1], part = pickedPart(s, x, y);
+            if (part >= 0 && s.run.parts[part].name.startsWith('cutter-')) return [x, y, s.run.parts[part].name];
+          } })""")
+        x, y = self.browser.value(f"(r => [r.x + r.width * {0.5 + where[0] / 2}, r.y + r.height * {0.5 - where[1] / 2}])(place('view').getBoundingClientRect())")
+        selected = "place('part').selectedOptions[0].textContent"
+
+        def click(moved=0):
+            self.browser.mouse("mousePressed", x, y, button="left", buttons=1, clickCount=1)
+            if moved:
+                self.browser.mouse("mouseMoved", x + moved, y, button="left", buttons=1)
+            self.browser.mouse("mouseReleased", x + moved, y, button="left", clickCount=1)
+        self.assertEqual(self.browser.value(selected), "none")
+        self.assertGreater(self.changes(click, "selected"), 1e-4)
+        self.assertEqual(self.browser.value(selected), where[2])
+        for words in ("radius of the tip", "azimuth", "rock removed in the run"):
+            self.assertIn(words, self.browser.value("place('part-facts').textContent"))
+        click(moved=30)
+        self.assertEqual(self.browser.value(selected), where[2])
+        self.browser.value("selectPart(JSON.parse(place('run').textContent).parts, -1)")
+        self.assertEqual(self.browser.value("place('part-facts').textContent"), "")
 
     def test_keys_turn_zoom_play_and_cut(self):
         self.browser.value("place('view').focus()")
@@ -211,10 +245,10 @@ class Page(unittest.TestCase):
     def test_every_control_is_reached_by_tab_and_has_a_name(self):
         self.browser.value("document.body.focus()")
         reached = []
-        for _ in range(12):
+        for _ in range(14):
             self.browser.press("Tab")
             reached.append(self.browser.value("document.activeElement.id"))
-        self.assertLessEqual({"view", "play", "time", "colour", "bit", "lines", "cut", "home"}, set(reached), reached)
+        self.assertLessEqual({"view", "play", "time", "colour", "bit", "lines", "cut", "home", "part"}, set(reached), reached)
         nameless = self.browser.value("[...document.querySelectorAll('input, select')].filter(c => !c.labels.length).map(c => c.id)")
         self.assertEqual(nameless, [])
 

@@ -74,7 +74,7 @@ def frames(page):
     for entry in head["frames"]:
         made.append(next_frame(numbers, entry, made[-1] if made else None))
     bit = {name: numbers.next(head["bit"][count], columns)
-           for name, count, columns in (("points", "points", 3), ("corners", "triangles", 3), ("colour", "triangles", 1))}
+           for name, count, columns in (("points", "points", 3), ("corners", "triangles", 3), ("colour", "triangles", 1), ("part", "triangles", 1))}
     if "areas" in head["bit"]:
         bit["area"] = numbers.next(head["bit"]["triangles"], 1)
     assert numbers.place == len(numbers.bytes), "the page has more numbers than its header lists"

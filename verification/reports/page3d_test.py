@@ -26,8 +26,9 @@ RUNS = {
     "b": ("bit-b-steady.toml", "rock.edge_length=2.5 mm", "time.step=5 ms", "time.revolutions=0.75", "output.frames_every=3"),
     "r": ("bit-r-rolling.toml", "rock.edge_length=8 mm", "time.step=5 ms", "time.revolutions=0.3", "output.frames_every=10"),
     "forces": ("drill-bit-b-whirl.toml", "rock.edge_length=6 mm", "time.duration=0.1 s", "output.frames_every=100"),
-    "areas": ("bit-b-3000psi.toml", "rock.edge_length=10 mm", "time.step=5 ms", "time.revolutions=0.2",
+    "areas": ("bit-b-3000psi.toml", "rock.edge_length=10 mm", "time.step=5 ms", "time.revolutions=0.2", "output.means_from=0.03 s",
               "forces.areas.hard={kind='face', zone='shoulder', A1=1.5}", "bit.set.areas.steel={kind='gage-pad', density=7000}"),
+    "short": ("bit-b-3000psi.toml", "rock.edge_length=10 mm", "time.step=5 ms", "time.revolutions=0.1", "output.means_from=1 s"),
     "end": ("bit-b-steady.toml", "rock.edge_length=10 mm", "time.step=5 ms", "time.revolutions=0.05"),
 }
 
@@ -155,6 +156,48 @@ class Pages(unittest.TestCase):
         self.assertAlmostEqual(max(weight["high"]), 1e-3 * rows["weight_on_bit_N"].max(), delta=1e-3 * max(weight["high"]))
         self.assertAlmostEqual(min(weight["low"]), 1e-3 * rows["weight_on_bit_N"].min(), delta=1e-3 * max(weight["high"]))
 
+    def test_a_run_without_a_history_has_a_page_that_says_so(self):
+        folder = self.copy("without-history", of="forces")
+        (folder / "history.nc").unlink()
+        page = self.page("without-history")
+        self.assertEqual(page3d_data.header(page)["traces"], [])
+        self.assertIn("This folder has no history.nc, so there are no traces.", page3d_data.text_of(page))
+        self.assertNotIn('id="no-traces"', self.page("forces"))
+
+    def test_states_the_mse_and_the_imbalance_of_the_run(self):
+        summary = json.loads((self.folder / "forces/summary.json").read_text(encoding="utf-8"))
+        words = page3d_data.text_of(self.page("forces"))
+        self.assertIn(f"(MSE){1e-6 * summary['mechanical_specific_energy_pa']:.4g} MPa", words)
+        self.assertIn(f"imbalance{100 * summary['imbalance']:.4g} % of the weight", words)
+        self.assertNotIn("(MSE)", page3d_data.text_of(self.page("end")))
+        self.assertIn("The run is too short for means", page3d_data.text_of(self.page("short")))
+
+    def test_has_the_place_force_and_area_of_every_part(self):
+        page, folder = self.page("areas"), self.folder / "areas"
+        summary, layout = (json.loads((folder / f"{name}.json").read_text(encoding="utf-8")) for name in ("summary", "bit"))
+        parts = page3d_data.header(page)["parts"]
+        self.assertEqual([p["name"] for p in parts], list(dict.fromkeys(p.rsplit("/", 1)[0] for p in summary["removed_volume_by_part_m3"])))
+        forces = sum(f["normal_mean_n"] for f in summary["forces"])
+        self.assertAlmostEqual(sum(p["normal_n"] or 0.0 for p in parts), forces, delta=1e-9 * forces)
+        cutter, place = next(dict(p["facts"]) for p in parts if p["name"] == "cutter-7"), next(c for c in layout["cutters"] if c["name"] == "cutter-7")
+        area = next(s["mean_area_m2"] for s in summary["sections"] if s["name"] == "cutter-7")
+        self.assertEqual(cutter["radius of the tip"], f"{1e3 * place['tip_radius_m']:.5g} mm")
+        self.assertEqual(cutter["mean area of cut"], f"{1e6 * area:.4g} mm\u00b2")
+        self.assertEqual({p["normal_n"] for p in page3d_data.header(self.page("end"))["parts"]}, {None})
+        self.assertIn("There are no forces of parts", page3d_data.text_of(self.page("end")))
+
+    def test_colours_and_names_every_kind_of_part(self):
+        for name, wanted in (("b", ["faces of cutters", "chamfers", "bodies of cutters", "gage pads", "body of the bit"]),
+                             ("r", ["gage pads", "body of the bit", "cones", "teeth of cone 1", "teeth of cone 2", "teeth of cone 3"])):
+            page = self.page(name)
+            head, (_, bit) = page3d_data.header(page), page3d_data.frames(page)
+            self.assertEqual(head["bit"]["names"], wanted)
+            self.assertEqual(len(set(head["bit"]["colours"])), len(wanted))
+            mesh = rock_data.final(self.folder / name, "bit")
+            parts = list(json.loads((self.folder / name / "summary.json").read_text(encoding="utf-8"))["removed_volume_by_part_m3"])
+            groups = [head["parts"][k]["name"] for k in bit["part"][:, 0]]
+            self.assertEqual(sorted(groups), sorted(parts[int(p)].rsplit("/", 1)[0] for p in mesh.cell_values["part"]))
+
     def test_of_a_run_without_frames_shows_its_end(self):
         page = self.page("end")
         self.assertEqual(len(page3d_data.header(page)["frames"]), 1)
@@ -191,8 +234,10 @@ class Pages(unittest.TestCase):
             folder = self.copy(f"bad-{name}")
             (folder / "summary.json").write_text(text)
             self.refused(folder, "summary.json: found .*, expected what `tdbd run` writes")
-        for file, pattern in (("rock.pvd", "rock.pvd: found no such file, expected"), ("history.nc", "history.nc: found .*, expected"),
-                              ("bit_poses.csv", "bit_poses.csv: found no such file, expected")):
+        torn = self.copy("torn-history")
+        (torn / "history.nc").write_bytes(b"no history")
+        self.refused(torn, "history.nc: found .*, expected the history that `tdbd run` writes")
+        for file, pattern in (("rock.pvd", "rock.pvd: found no such file, expected"), ("bit_poses.csv", "bit_poses.csv: found no such file, expected")):
             folder = self.copy(f"without-{file}")
             (folder / file).unlink()
             self.refused(folder, pattern)

@@ -10,7 +10,7 @@ function bitPieces(bit, parts, looks) {
     const [ka, kb] = [keyOf(bit.numbers[a]), keyOf(bit.numbers[b])];
     return ka < kb ? -1 : ka > kb ? 1 : a - b;
   });
-  const pieces = [], colours = [...new Set(parts.map(p => colourOf(p, looks)))];
+  const pieces = [], names = [...new Set(parts.map(p => wordsOfPart(p, looks)))], named = new Map(parts.map(p => [wordsOfPart(p, looks), colourOf(p, looks)]));
   let last = null;
   for (const t of order) {
     const key = keyOf(bit.numbers[t]);
@@ -18,14 +18,19 @@ function bitPieces(bit, parts, looks) {
     ++pieces.at(-1).triangles;
     last = key;
   }
-  const colour = order.map(t => colours.indexOf(colourOf(parts[bit.numbers[t]], looks)));
-  return {run: {box: bit.box, pieces, colours}, mesh: {points: bit.points, corners: bit.corners.map(c => order.map(t => c[t])), colour}};
+  const colour = order.map(t => names.indexOf(wordsOfPart(parts[bit.numbers[t]], looks)));
+  return {run: {box: bit.box, pieces, names, colours: names.map(name => named.get(name))}, mesh: {points: bit.points, corners: bit.corners.map(c => order.map(t => c[t])), colour}};
 }
 
 function colourOf(part, looks) {
   const cone = part.body - 1;
   if (cone >= 0 && part.kind === "tooth") return looks.cones[cone % looks.cones.length];
   return looks.kinds[part.kind] || looks.other;
+}
+
+// What the legend calls the parts of one colour.
+function wordsOfPart(part, looks) {
+  return part.kind === "tooth" && part.body > 0 ? `teeth of cone ${part.body}` : looks.words[part.kind] || "other parts";
 }
 
 // As many hues, neighbours far apart: steps of the golden section.
