@@ -7,7 +7,7 @@
 #include "app/arguments.hpp"
 #include "app/terminal.hpp"
 #include "calibration/laboratory/laboratory.hpp"
-#include "calibration/result/calibrate.hpp"
+#include "calibration/result/answer.hpp"
 #include "core/error.hpp"
 #include "simulation/case/case_kind.hpp"
 #include "simulation/study/convergence_output.hpp"
@@ -220,33 +220,6 @@ struct CalibrateArguments : ResultArguments {
   int threads = 1;
 };
 
-void print_set(const calibration::CalibrationCase& c, const calibration::FittedSet& set) {
-  const auto names = calibration::load_names(c.records.kind);
-  if (set.pressure) print_out("at {:.2f} MPa:\n", 1e-6 * *set.pressure);
-  if (c.unknowns.empty()) return;
-  print_out("{:<16}{:>12}{:>12}   {:.0f} % interval\n", "coefficient", "start", "value",
-            100.0 * c.intervals.level);
-  for (const calibration::FittedCoefficient& f : set.fit.coefficients)
-    print_out(
-        "{:<16}{:>12.5g}{:>12.5g}   {}{}\n", f.key, f.start, f.value,
-        f.at_bound ? "at an end of its range" : fmt::format("{:.5g} to {:.5g}", f.low, f.high),
-        f.from_prior && !f.at_bound ? ", mostly from the prior" : "");
-  print_out("objectives: {} {:.4g}, {} {:.4g}; chi2 {:.4g} with {} degrees of freedom\n",
-            names[0].name, set.fit.objectives[0], names[1].name, set.fit.objectives[1],
-            set.fit.chi2, set.fit.degrees_of_freedom);
-  print_out("weakest direction: {}\n", calibration::in_words(set.fit.problem, set.identifiability));
-}
-
-void print_errors(const calibration::CalibrationCase& c, const calibration::Calibration& found) {
-  const auto errors = calibration::errors_of(found.predictions);
-  for (std::size_t k = 0; k < errors.size(); ++k)
-    if (errors[k].readings > 0)
-      print_out("{} of {}: {:.1f} % rms, 95 of 100 within {:.1f} %\n",
-                calibration::load_names(c.records.kind)[k].name, fmt::join(c.predict, ", "),
-                100.0 * errors[k].rms, 100.0 * errors[k].p95);
-  for (const std::string& why : found.extrapolates) print_out("extrapolates: {}\n", why);
-}
-
 int calibrate(const CalibrateArguments& a) {
   simulation::require_kind(a.case_file, a.overrides, {simulation::CaseKind::calibration});
   const std::filesystem::path folder = result_folder(a);
@@ -262,9 +235,7 @@ int calibrate(const CalibrateArguments& a) {
   if (a.quiet) return 0;
   for (const std::string& warning : found.warnings)
     fmt::print(stderr, "tdbd: warning: {}\n", warning);
-  for (const calibration::FittedSet& set : found.sets) print_set(c, set);
-  print_errors(c, found);
-  print_out("results in {}\n", folder.string());
+  print_out("{}results in {}\n", calibration::answer_text(c, found), folder.string());
   return 0;
 }
 

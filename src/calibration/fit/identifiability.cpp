@@ -31,18 +31,18 @@ Eigen::JacobiSVD<Eigen::MatrixXd> decomposed(const Eigen::MatrixXd& J) {
   return Eigen::JacobiSVD<Eigen::MatrixXd>(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
 }
 
-/// Describes a direction with its largest component as "up 100 %". Components below 3 % of it are
+/// Describes a direction with its largest component as "+100 %". Components below 3 % of it are
 /// omitted.
 std::string direction_in_words(const Problem& p, const Eigen::VectorXd& v) {
   constexpr double negligible = 0.03;
   Eigen::Index top = 0;
   v.cwiseAbs().maxCoeff(&top);
-  std::string text = fmt::format("{} up 100 %", p.unknowns[static_cast<std::size_t>(top)].key);
+  std::string text = fmt::format("{} +100 %", p.unknowns[static_cast<std::size_t>(top)].key);
   for (Eigen::Index k = 0; k < v.size(); ++k) {
     const double share = v[k] / v[top];
     if (k == top || std::abs(share) < negligible) continue;
-    text += fmt::format(" with {} {} {:.0f} %", p.unknowns[static_cast<std::size_t>(k)].key,
-                        share > 0.0 ? "up" : "down", 100.0 * std::abs(share));
+    text +=
+        fmt::format(", {} {:+.0f} %", p.unknowns[static_cast<std::size_t>(k)].key, 100.0 * share);
   }
   return text;
 }
@@ -107,7 +107,8 @@ std::string in_words(const Problem& p, const Identifiability& found) {
   if (p.unknowns.empty()) return "nothing was fitted";
   const auto n = static_cast<Eigen::Index>(found.weakest_direction.size());
   const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(found.weakest_direction.data(), n);
-  return fmt::format("{} changes the readings by {:.2g} of their noise", direction_in_words(p, v),
+  return fmt::format("{}: this changes the readings by {:.2g} of their noise",
+                     direction_in_words(p, v),
                      found.singular_values.back() / v.cwiseAbs().maxCoeff());
 }
 
@@ -123,7 +124,7 @@ void require_identifiable(const Problem& p) {
   Eigen::Index top = 0;
   weakest.cwiseAbs().maxCoeff(&top);
   throw InputError(fmt::format(
-      "{}: found a direction that the records do not determine: {} changes no load; expected {}",
+      "{}: found a direction that the records do not determine: {}; expected {}",
       p.unknowns[static_cast<std::size_t>(top)].place, direction_in_words(p, weakest), help(p)));
 }
 

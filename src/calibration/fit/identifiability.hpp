@@ -16,7 +16,7 @@ struct Identifiability {
 
 Identifiability identifiability_at(const Problem& problem, const Eigen::VectorXd& values);
 
-/// The weakest direction as text: "A2 up 100 % with A4 down 62 % changes the readings by 0.3 of their
+/// The weakest direction as text: "A2 +100 %, A4 -62 %: this changes the readings by 0.3 of their
 /// noise".
 std::string in_words(const Problem& problem, const Identifiability& found);
 

@@ -30,7 +30,7 @@ Eigen::VectorXd gradient(const Fit& f, const Sample& sample, std::size_t load) {
 
 PredictedLoad predicted_load(double mean, double variance, double reading_variance, double z) {
   const double reach = z * std::sqrt(variance + reading_variance);
-  return {mean, mean * std::sqrt(variance), mean * std::exp(-reach), mean * std::exp(reach)};
+  return {mean, mean * std::sqrt(variance), mean * std::exp(-reach), mean * std::exp(reach), {}};
 }
 
 }  // namespace
@@ -46,6 +46,8 @@ Prediction predict(const Fit& f, const Sample& sample, const Record& record, con
     const double around = reading_variance(noise, record.readings[k], slopes[k]) +
                           discrepancy.value[k] * discrepancy.value[k];
     p.loads[k] = predicted_load(mean[k], variance, around, z);
+    if (const auto& value = record.readings[k].value)
+      p.loads[k].standardised = std::log(mean[k] / *value) / std::sqrt(variance + around);
   }
   return p;
 }
@@ -55,17 +57,20 @@ std::array<PredictionError, 2> errors_of(const std::vector<Prediction>& predicti
   for (const std::size_t k : {axial, turning}) {
     std::vector<double> e;
     double squares = 0.0;
+    long within_two = 0;
     for (const Prediction& p : predictions) {
       if (!p.record.readings[k].value) continue;
       e.push_back(std::abs(p.loads[k].mean / *p.record.readings[k].value - 1.0));
       squares += e.back() * e.back();
+      within_two += std::abs(p.loads[k].standardised.value_or(0.0)) <= 2.0 ? 1 : 0;
     }
     if (e.empty()) continue;
     std::sort(e.begin(), e.end());
     const auto n = static_cast<double>(e.size());
     constexpr double percentile = 0.95;
     const auto place = static_cast<std::size_t>(std::ceil(percentile * n)) - 1;
-    errors[k] = {std::sqrt(squares / n), e[place], static_cast<long>(e.size())};
+    errors[k] = {std::sqrt(squares / n), e[place], e.back(), static_cast<long>(e.size()),
+                 within_two};
   }
   return errors;
 }

@@ -30,6 +30,9 @@ struct PredictedLoad {
   double mean = 0.0;
   double se = 0.0;               ///< of the mean, from the coefficients only
   double low = 0.0, high = 0.0;  ///< interval of a reading: coefficients, discrepancy and noise
+  /// log(computed/measured) over the standard deviation of a reading about the mean; of a fitted
+  /// record over that of the noise. Empty without a reading.
+  std::optional<double> standardised = std::nullopt;
 };
 
 struct Prediction {
@@ -41,12 +44,15 @@ struct Prediction {
 Prediction predict(const Fit& fit, const Sample& sample, const Record& record, const Noise& noise,
                    const Discrepancy& discrepancy, double level);
 
-/// rms and 95th percentile of |computed/measured - 1| over all readings of a load; zero without
-/// readings.
+/// rms, 95th percentile and largest value of |computed/measured - 1| over all readings of a load;
+/// zero without readings.
 struct PredictionError {
-  double rms = 0.0, p95 = 0.0;
+  double rms = 0.0, p95 = 0.0, largest = 0.0;
   long readings = 0;
+  long within_two = 0;  ///< readings within two standard deviations of their prediction
 };
+/// Fewer readings have no 95th percentile that differs from the largest value.
+inline constexpr long least_for_p95 = 20;
 std::array<PredictionError, 2> errors_of(const std::vector<Prediction>& predictions);
 
 /// For each fitted tool, fits without it and predicts it. The discrepancy is the excess of the mean

@@ -9,6 +9,7 @@
 #include <regex>
 #include <set>
 
+#include "calibration/result/answer.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "core/provenance.hpp"
@@ -40,11 +41,21 @@ FittedSet fit_set(const CalibrationCase& c, const CutStore& cuts,
   const std::vector<Record> records = at_pressure(records_of(c, c.fit), pressure);
   const Problem problem = problem_of(c, cuts, records);
   require_identifiable(problem);
-  FittedSet set{pressure, fit(problem, c.intervals), {}, {}, {}};
+  FittedSet set{pressure, fit(problem, c.intervals), {}, {}, {}, {}};
   set.identifiability = identifiability_at(set.fit.problem, set.fit.values);
   set.discrepancy = leave_one_tool_out(c, cuts, records);
   set.replicates = bootstrap(set.fit, c.intervals);
   return set;
+}
+
+/// Replaces the standardised residuals of fitted records by those of the fit, which contain the
+/// noise only.
+void standardise_fitted(const FittedSet& set, std::vector<Prediction>& fitted) {
+  std::vector<Prediction*> of_set;
+  for (Prediction& p : fitted)
+    if (!set.pressure || p.record.pressure == *set.pressure) of_set.push_back(&p);
+  for (const FittedReading& r : set.quality.readings)
+    of_set[r.record]->loads[r.load].standardised = r.deviations;
 }
 
 /// Returns the coefficients for a record: those of its pressure or, if that was not fitted, of the
@@ -84,11 +95,13 @@ void warn(const FittedSet& set, std::vector<std::string>& warnings) {
                                      set.fit.problem.unknowns[k].place, f.value));
   }
   if (!set.discrepancy.reason.empty())
-    warnings.push_back("the law's discrepancy is unknown, intervals hold noise alone: " +
+    warnings.push_back("the error of the law is unknown, so intervals contain the noise only: " +
                        set.discrepancy.reason);
+  if (const std::string misfit = misfit_warning(set); !misfit.empty()) warnings.push_back(misfit);
   if (set.replicates.failed > 0)
-    warnings.push_back(fmt::format("{} of {} replicates of the bootstrap did not converge",
-                                   set.replicates.failed, set.replicates.replicates));
+    warnings.push_back(
+        fmt::format("{} of {} replicates of the bootstrap did not converge and are left out",
+                    set.replicates.failed, set.replicates.replicates));
 }
 
 /// For separate fits: warns about each pressure of predicted records that was not fitted.
@@ -128,8 +141,10 @@ void write_timing(const std::filesystem::path& folder, const CutStore& cuts, dou
 Calibration calibrate(const CalibrationCase& c, const CutStore& cuts) {
   Calibration result;
   for (const auto& pressure : pressures_of(c)) result.sets.push_back(fit_set(c, cuts, pressure));
+  for (FittedSet& set : result.sets) set.quality = quality_of(set.fit, result.sets.size());
   const std::vector<Record> fitted = records_of(c, c.fit), withheld = records_of(c, c.predict);
   result.fitted = predictions_of(c, cuts, result.sets, fitted);
+  for (const FittedSet& set : result.sets) standardise_fitted(set, result.fitted);
   result.predictions = predictions_of(c, cuts, result.sets, withheld);
   result.extrapolates = extrapolations(samples_of(c, cuts, fitted), samples_of(c, cuts, withheld));
   for (const FittedSet& set : result.sets) warn(set, result.warnings);
@@ -186,6 +201,7 @@ std::string header(ToolKind kind) {
     for (const char* what : {"mean", "se", "low", "high"})
       text += fmt::format(",{}_{} [{}]", n.name, what, n.si_unit);
   for (const LoadName& n : names) text += fmt::format(",measured_{} [{}]", n.name, n.si_unit);
+  for (const LoadName& n : names) text += fmt::format(",{}_standardised [1]", n.name);
   return text + "\n";
 }
 
@@ -197,6 +213,7 @@ std::string row(ToolKind kind, const Prediction& p) {
   for (const PredictedLoad& load : p.loads)
     text += fmt::format(",{},{},{},{}", load.mean, load.se, load.low, load.high);
   for (const Reading& reading : r.readings) text += "," + number(reading.value);
+  for (const PredictedLoad& load : p.loads) text += "," + number(load.standardised);
   return text + "\n";
 }
 
@@ -234,7 +251,8 @@ Json direction_json(const FittedSet& set) {
   return json;
 }
 
-Json set_json(const FittedSet& set, const std::array<LoadName, 2>& names) {
+Json set_json(const FittedSet& set, ToolKind kind) {
+  const auto names = load_names(kind);
   Json coefficients = Json::object();
   for (std::size_t k = 0; k < set.fit.coefficients.size(); ++k)
     coefficients[set.fit.coefficients[k].key] = coefficient_json(set, k);
@@ -246,6 +264,7 @@ Json set_json(const FittedSet& set, const std::array<LoadName, 2>& names) {
   json["chi2"] = set.fit.chi2;
   json["degrees_of_freedom"] = set.fit.degrees_of_freedom;
   json["readings"] = set.fit.problem.readings();
+  json.update(quality_json(set, kind));
   json["evaluations"] = set.fit.evaluations;
   json["singular_values"] = set.identifiability.singular_values;
   json["weakest_direction"] = direction_json(set);
@@ -258,16 +277,6 @@ Json set_json(const FittedSet& set, const std::array<LoadName, 2>& names) {
   return json;
 }
 
-void add_errors(const std::vector<Prediction>& predictions, const std::string& what,
-                const std::array<LoadName, 2>& names, Json& json) {
-  const auto errors = errors_of(predictions);
-  for (const std::size_t k : {axial, turning}) {
-    const bool read = errors[k].readings > 0;
-    json[fmt::format("{}_{}_rms", what, names[k].name)] = read ? Json(errors[k].rms) : Json();
-    json[fmt::format("{}_{}_p95", what, names[k].name)] = read ? Json(errors[k].p95) : Json();
-  }
-}
-
 /// Adds the sums of the objectives of separate fits.
 void add_sums(const Calibration& found, const std::array<LoadName, 2>& names, Json& json) {
   for (const std::size_t k : {axial, turning}) {
@@ -278,6 +287,8 @@ void add_sums(const Calibration& found, const std::array<LoadName, 2>& names, Js
   long freedom = 0;
   for (const FittedSet& s : found.sets) freedom += s.fit.degrees_of_freedom;
   json["degrees_of_freedom"] = freedom;
+  const auto is_misfit = [](const FittedSet& s) { return !s.quality.fits().value_or(true); };
+  json["fits"] = std::ranges::none_of(found.sets, is_misfit);
 }
 
 }  // namespace
@@ -348,13 +359,14 @@ std::string to_json(const CalibrationCase& c, const Calibration& found) {
             {"fit_bits", c.fit},
             {"predict_bits", c.predict}};
   if (!found.sets.front().pressure) {
-    json.update(set_json(found.sets.front(), names));
+    json.update(set_json(found.sets.front(), c.records.kind));
   } else {
     add_sums(found, names, json);
-    for (const FittedSet& s : found.sets) json["by_pressure"].push_back(set_json(s, names));
+    for (const FittedSet& s : found.sets)
+      json["by_pressure"].push_back(set_json(s, c.records.kind));
   }
-  add_errors(found.fitted, "fitted_bit_error", names, json);
-  add_errors(found.predictions, "withheld_bit_error", names, json);
+  json.update(errors_json(found.fitted, "fitted_bit_error", c.records.kind));
+  json.update(errors_json(found.predictions, "withheld_bit_error", c.records.kind));
   json["extrapolates"] = !found.extrapolates.empty();
   json["extrapolates_because"] = found.extrapolates;
   json["warnings"] = found.warnings;

@@ -10,6 +10,7 @@
 #include "calibration/cuts/cut_store.hpp"
 #include "calibration/fit/fit.hpp"
 #include "calibration/fit/identifiability.hpp"
+#include "calibration/fit/quality.hpp"
 #include "calibration/predict/prediction.hpp"
 #include "io/output_folder.hpp"
 
@@ -22,6 +23,7 @@ struct FittedSet {
   Identifiability identifiability;
   Discrepancy discrepancy;
   Bootstrap replicates;
+  FitQuality quality;
 };
 
 /// The result of a calibration.

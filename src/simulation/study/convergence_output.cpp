@@ -115,6 +115,13 @@ std::string order_text(const Convergence& c, std::size_t i, const std::string& e
                      uncertainty.empty() ? "" : "; ", uncertainty);
 }
 
+/// Whether the table states an uncertainty, which holds under an assumption.
+bool states_uncertainty(const Convergence& c) {
+  return std::ranges::any_of(c.variables, [](const VariableConvergence& v) {
+    return v.uncertainty && v.uncertainty->basis != UncertaintyBasis::exact;
+  });
+}
+
 }  // namespace
 
 std::string table_text(const Convergence& c) {
@@ -134,6 +141,10 @@ std::string table_text(const Convergence& c) {
   out += "observed orders";
   out += c.plan.reference ? "\n" : "; the finest level with its numerical uncertainty\n";
   for (std::size_t i = 0; i < c.variables.size(); ++i) out += order_text(c, i, errors);
+  if (states_uncertainty(c))
+    out +=
+        "The uncertainty assumes that errors continue to decrease as between these levels. It "
+        "contains no error of the model.\n";
   return out;
 }
 

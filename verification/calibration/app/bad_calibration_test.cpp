@@ -82,9 +82,8 @@ const Mistake mistakes[] = {
      "2.06843e+07 Pa, expected records at which rock breaks out, or no table [spalling]"},
     {"edge_and_its_stress", "[fixed]\nA4 = 0.5",
      "[unknowns.te]\nstart = 1e-4\n[unknowns.A4]\nstart = 1",
-     "33: unknowns.te: found a direction that the records do not determine: te up 100 % with A4 "
-     "down 100 "
-     "% changes no load; expected a prior_sd for one of them, or one of them in [fixed]"},
+     "33: unknowns.te: found a direction that the records do not determine: te +100 %, A4 -100 %; "
+     "expected a prior_sd for one of them, or one of them in [fixed]"},
     {"coefficient_of_no_part", "[fixed]", "[unknowns.A7]\nstart = 1\n[fixed]",
      "33: unknowns.A7: found a coefficient that acts on no part of the fitted bits (it acts on cse "
      "or cutter body), expected it in [fixed]"},

@@ -40,9 +40,10 @@ TEST(Calibrate, leaves_its_files_and_finds_the_truth_within_its_intervals) {
   EXPECT_NE(o.out.find("weakest direction: "), std::string::npos);
 }
 
-TEST(Calibrate, warns_of_an_unknown_discrepancy) {
+TEST(Calibrate, warns_of_an_unknown_error_of_the_law) {
   const CalibrationFolder c;
-  const std::string warning = "the law's discrepancy is unknown, intervals hold noise alone: ";
+  const std::string warning =
+      "the error of the law is unknown, so intervals contain the noise only: ";
   const auto both = c.calibrate({"--force"}),
              one = c.calibrate({"--force", "--set", "calibration.fit_bits=[\"c13\"]"});
   EXPECT_EQ(both.err.find(warning), std::string::npos) << both.err;
@@ -113,8 +114,9 @@ TEST(Calibrate, warns_of_a_coefficient_at_its_bound) {
   c.edit("case.toml", "[\"0 deg\", \"45 deg\"]", "[\"0 deg\", \"19 deg\"]");
   const auto o = c.calibrate();
   EXPECT_EQ(o.exit_code, 0);
-  EXPECT_EQ(o.err, "tdbd: warning: " + c.path("case.toml").string() +
-                       ":24: unknowns.A3: 0.3316 is an end of its range: no interval\n");
+  const std::string warning = "tdbd: warning: " + c.path("case.toml").string() +
+                              ":24: unknowns.A3: 0.3316 is an end of its range: no interval\n";
+  EXPECT_EQ(o.err.rfind(warning, 0), 0U) << o.err;  // a warning of a misfit may follow
   const json A3 = calibration_of(c)["coefficients"]["A3"];
   EXPECT_TRUE(A3["at_bound"]);
   EXPECT_TRUE(A3["se"].is_null());

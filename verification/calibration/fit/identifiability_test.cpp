@@ -70,11 +70,10 @@ TEST(Identifiability, of_a_direction_names_every_unknown_that_counts) {
   const auto told = [&](std::vector<double> direction) {
     return in_words(p, {{5.0, 2.0, 1.0, 0.25}, std::move(direction)});
   };
-  EXPECT_EQ(
-      told({0.25, 0.5, -0.125, 0.01}),
-      "b up 100 % with a up 50 % with c down 25 % changes the readings by 0.5 of their noise");
+  EXPECT_EQ(told({0.25, 0.5, -0.125, 0.01}),
+            "b +100 %, a +50 %, c -25 %: this changes the readings by 0.5 of their noise");
   EXPECT_EQ(told({-0.01, 0.25, 0.25, 0.5}),
-            "d up 100 % with b up 50 % with c up 50 % changes the readings by 0.5 of their noise");
+            "d +100 %, b +50 %, c +50 %: this changes the readings by 0.5 of their noise");
 }
 
 TEST(Identifiability, the_weakest_direction_points_up) {
@@ -160,7 +159,7 @@ TEST(Identifiability, seven_coefficients_are_seen) {
   const Problem p = fitted_problem(c, made_up_cuts(c));
   const auto values = truth_of(p, hidden_law());
   const std::string words = in_words(p, identifiability_at(p, values));
-  EXPECT_NE(words.find(" up 100 % with "), std::string::npos) << words;
+  EXPECT_NE(words.find(" +100 %, "), std::string::npos) << words;
 }
 
 }  // namespace

@@ -92,8 +92,11 @@ TEST(CalibrationJson, has_every_number_of_a_fit) {
   EXPECT_EQ(j.at("predict_bits"), c.predict);
   const auto fitted = errors_of(found.fitted), withheld = errors_of(found.predictions);
   EXPECT_EQ(j.at("fitted_bit_error_wob_rms"), fitted[axial].rms);
-  EXPECT_EQ(j.at("fitted_bit_error_tob_p95"), fitted[turning].p95);
-  EXPECT_EQ(j.at("withheld_bit_error_wob_p95"), withheld[axial].p95);
+  EXPECT_EQ(j.at("fitted_bit_error_tob_largest"), fitted[turning].largest);
+  EXPECT_EQ(j.at("fitted_bit_error_tob_readings"), 16);
+  EXPECT_TRUE(j.at("fitted_bit_error_tob_p95").is_null());  // of fewer than 20 readings
+  EXPECT_EQ(j.at("withheld_bit_error_wob_largest"), withheld[axial].largest);
+  EXPECT_EQ(j.at("withheld_bit_error_wob_within_2_deviations"), withheld[axial].within_two);
   EXPECT_EQ(j.at("withheld_bit_error_tob_rms"), withheld[turning].rms);
   EXPECT_EQ(j.at("extrapolates"), !found.extrapolates.empty());
   EXPECT_EQ(j.at("extrapolates_because"), found.extrapolates);
@@ -151,8 +154,9 @@ TEST(CalibrationJson, has_nulls_for_what_there_is_not) {
   EXPECT_FALSE(j.at("extrapolates"));
   ASSERT_EQ(found.warnings.size(), 2U);
   EXPECT_EQ(found.warnings[0], "case.toml:5: unknowns.A5: 2 is an end of its range: no interval");
-  EXPECT_EQ(found.warnings[1], "the law's discrepancy is unknown, intervals hold noise alone: " +
-                                   found.sets.front().discrepancy.reason);
+  EXPECT_EQ(found.warnings[1],
+            "the error of the law is unknown, so intervals contain the noise only: " +
+                found.sets.front().discrepancy.reason);
 }
 
 /// The set of a record is that of its pressure; between two, that of the nearer.
@@ -234,22 +238,36 @@ Prediction numbered() {
   Prediction p;
   p.record = {"t1", "A", "shale", 1.5, 2.5, 3.5, 4.5, {}, 0};
   p.record.readings[axial].value = 5.5;
-  p.loads = {PredictedLoad{6.5, 7.5, 8.5, 9.5}, PredictedLoad{10.5, 11.5, 12.5, 13.5}};
+  p.loads = {PredictedLoad{6.5, 7.5, 8.5, 9.5, -0.5}, PredictedLoad{10.5, 11.5, 12.5, 13.5}};
   return p;
 }
 
 TEST(PredictionsCsv, has_each_number_below_its_name) {
   const auto bit = cells_of(predictions_csv(ToolKind::bit, {numbered(), numbered()}));
   ASSERT_EQ(bit.size(), 3U);
-  EXPECT_EQ(bit[0],
-            (std::vector<std::string>{
-                "test", "bit", "rock", "pressure [Pa]", "rotary_speed [rad/s]",
-                "rate_of_penetration [m/s]", "wob [N]", "tob [N m]", "wob_mean [N]", "wob_se [N]",
-                "wob_low [N]", "wob_high [N]", "tob_mean [N m]", "tob_se [N m]", "tob_low [N m]",
-                "tob_high [N m]", "measured_wob [N]", "measured_tob [N m]"}));
-  EXPECT_EQ(bit[1], (std::vector<std::string>{"t1", "A", "shale", "1.5", "2.5", "3.5", "5.5", "",
-                                              "6.5", "7.5", "8.5", "9.5", "10.5", "11.5", "12.5",
-                                              "13.5", "5.5", ""}));
+  EXPECT_EQ(bit[0], (std::vector<std::string>{"test",
+                                              "bit",
+                                              "rock",
+                                              "pressure [Pa]",
+                                              "rotary_speed [rad/s]",
+                                              "rate_of_penetration [m/s]",
+                                              "wob [N]",
+                                              "tob [N m]",
+                                              "wob_mean [N]",
+                                              "wob_se [N]",
+                                              "wob_low [N]",
+                                              "wob_high [N]",
+                                              "tob_mean [N m]",
+                                              "tob_se [N m]",
+                                              "tob_low [N m]",
+                                              "tob_high [N m]",
+                                              "measured_wob [N]",
+                                              "measured_tob [N m]",
+                                              "wob_standardised [1]",
+                                              "tob_standardised [1]"}));
+  EXPECT_EQ(bit[1], (std::vector<std::string>{
+                        "t1",  "A",   "shale", "1.5",  "2.5",  "3.5",  "5.5", "", "6.5",  "7.5",
+                        "8.5", "9.5", "10.5",  "11.5", "12.5", "13.5", "5.5", "", "-0.5", ""}));
   EXPECT_EQ(bit[2], bit[1]);
   const auto cutter = cells_of(predictions_csv(ToolKind::cutter, {numbered()}));
   EXPECT_EQ(std::vector<std::string>(cutter[0].begin(), cutter[0].begin() + 8),

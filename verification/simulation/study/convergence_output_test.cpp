@@ -88,7 +88,7 @@ TEST(ConvergenceOutput, as_csv_has_a_line_for_every_difference) {
 /// A single value is printed with the digits that its uncertainty permits, plus one.
 TEST(ConvergenceOutput, as_a_table_ends_with_the_finest_level) {
   const auto lines = lines_of(table_text(quadratic()));
-  ASSERT_EQ(lines.size(), 9U);
+  ASSERT_EQ(lines.size(), 10U);
   EXPECT_EQ(lines[0],
             "rock.edge_length and time.step of hole.toml divided by 2 over 5 levels, differences "
             "to the next level");
@@ -104,6 +104,9 @@ TEST(ConvergenceOutput, as_a_table_ends_with_the_finest_level) {
   EXPECT_EQ(lines[8],
             "  y                              2.000 (4 of 4 differences); +- 0.00011 N (observed "
             "order)");
+  EXPECT_EQ(lines[9],
+            "The uncertainty assumes that errors continue to decrease as between these levels. It "
+            "contains no error of the model.");
 }
 
 /// Nor where all differences are rounding.
