@@ -15,15 +15,71 @@
 namespace tdbd {
 namespace {
 
-std::vector<std::string> split(std::string_view line) {
-  std::vector<std::string> cells;
-  std::size_t comma = 0;
-  while ((comma = line.find(',')) != std::string_view::npos) {
-    cells.emplace_back(trimmed(line.substr(0, comma)));
-    line.remove_prefix(comma + 1);
+/// Takes the first cell from a line. A cell in double quotes may contain the separator; two quotes
+/// in it are one quote.
+std::string take_cell(std::string_view& line, char separator) {
+  const std::size_t from = line.find_first_not_of(" ");
+  if (from == std::string_view::npos || line[from] != '"') {
+    const std::size_t end = std::min(line.find(separator), line.size());
+    std::string cell(trimmed(line.substr(0, end)));
+    line.remove_prefix(end);
+    return cell;
   }
-  cells.emplace_back(trimmed(line));
-  return cells;
+  line.remove_prefix(from + 1);
+  std::string cell;
+  while (!line.empty()) {
+    const char c = line.front();
+    line.remove_prefix(1);
+    if (c == '"' && !line.starts_with('"')) break;
+    if (c == '"') line.remove_prefix(1);
+    cell += c;
+  }
+  const std::size_t end = std::min(line.find(separator), line.size());
+  cell += trimmed(line.substr(0, end));  // behind the closing quote
+  line.remove_prefix(end);
+  return cell;
+}
+
+/// "50,5" as "50.5"; other cells are unchanged.
+std::string with_decimal_point(std::string cell) {
+  const std::size_t comma = cell.find(',');
+  if (comma == std::string::npos) return cell;
+  std::string other = cell;
+  other[comma] = '.';
+  return csv_number<double>(other) ? other : cell;
+}
+
+std::vector<std::string> split(std::string_view line, char separator) {
+  std::vector<std::string> cells;
+  while (true) {
+    std::string cell = take_cell(line, separator);
+    cells.push_back(separator == ',' ? std::move(cell) : with_decimal_point(std::move(cell)));
+    if (line.empty()) return cells;
+    line.remove_prefix(1);
+  }
+}
+
+/// The separator that is most frequent in the header.
+char separator_of(std::string_view header) {
+  char best = ',';
+  for (const char c : {';', '\t'})
+    if (std::ranges::count(header, c) > std::ranges::count(header, best)) best = c;
+  return best;
+}
+
+/// Rejects workbooks and UTF-16, which spreadsheet programs also write.
+void require_text(const std::string& path, const std::string& bytes) {
+  const bool workbook = bytes.starts_with("PK\x03\x04") || bytes.starts_with("\xD0\xCF\x11\xE0");
+  if (workbook)
+    throw InputError(fmt::format(
+        "{}:1: table: found a workbook of a spreadsheet program, expected a CSV table: save the "
+        "sheet as \"CSV UTF-8\" (Excel: File, Save As; LibreOffice: File, Save As, Text CSV)",
+        path));
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+    throw InputError(
+        fmt::format("{}:1: table: found text in UTF-16, expected UTF-8: save the sheet as "
+                    "\"CSV UTF-8\"",
+                    path));
 }
 
 void check_header(const CsvRow& row, CsvMistakes& mistakes) {
@@ -58,14 +114,23 @@ void add_row(CsvTable& table, const CsvRow& text, CsvMistakes& mistakes) {
 }  // namespace
 
 std::vector<CsvRow> read_csv_rows(const std::string& path) {
-  std::istringstream in(read_file(path, "a CSV table"));
+  const std::string bytes = read_file(path, "a CSV table");
+  require_text(path, bytes);
+  std::istringstream in(bytes);
   std::vector<CsvRow> rows;
   std::string text;
+  char separator = ',';
   for (long line = 1; std::getline(in, text); ++line) {
     std::string_view body = text;
     if (line == 1 && body.substr(0, 3) == "\xef\xbb\xbf") body.remove_prefix(3);
-    body = trimmed(body);
-    if (!body.empty() && body.front() != '#') rows.push_back({line, split(body)});
+    // Tabs at the ends are separators if the table uses them.
+    const std::string_view content = trimmed(body);
+    if (content.empty() || content.front() == '#') continue;
+    if (rows.empty()) separator = separator_of(content);
+    std::vector<std::string> cells = split(separator == '\t' ? body : content, separator);
+    if (separator == '\t' && !cells.empty()) cells.back() = trimmed(cells.back());
+    if (std::ranges::any_of(cells, [](const std::string& c) { return !c.empty(); }))
+      rows.push_back({line, std::move(cells)});
   }
   return rows;
 }
@@ -77,7 +142,14 @@ void CsvMistakes::add(long line, std::string_view column, std::string_view found
 }
 
 void CsvMistakes::throw_if_any() const {
-  if (!lines.empty()) throw InputError(fmt::format("{}", fmt::join(lines, "\n")));
+  constexpr std::size_t most = 40;
+  if (lines.empty()) return;
+  const std::size_t listed = std::min(most, lines.size());
+  std::string text =
+      fmt::format("{}", fmt::join(lines.begin(), lines.begin() + static_cast<long>(listed), "\n"));
+  if (listed < lines.size())
+    text += fmt::format("\n{}: found {} more mistakes, expected none", file, lines.size() - listed);
+  throw InputError(text);
 }
 
 CsvTable read_csv(const std::string& path) {

@@ -10,15 +10,17 @@
 
 namespace tdbd {
 
-/// One line of a comma-separated file: its cells as text, without surrounding blanks. Quoting is
-/// not supported, so cells cannot contain commas.
+/// One line of a table: its cells as text, without surrounding blanks.
 struct CsvRow {
   long line = 0;  ///< counted from 1
   std::vector<std::string> cells;
 };
 
-/// Reads the rows of a file. Empty lines and lines that start with '#' are skipped; a byte-order
-/// mark and CRLF are accepted. Throws InputError if the file cannot be read.
+/// Reads the rows of a file. The separator is that of the first row: a comma, a semicolon or a tab;
+/// with the latter two, numbers may have a decimal comma ("50,5" is returned as "50.5"). A cell in
+/// double quotes may contain the separator. Lines that are empty, have only empty cells, or start
+/// with '#' are skipped; a byte-order mark and CRLF are accepted. Throws InputError if the file
+/// cannot be read, or is a workbook (xlsx, xls) or UTF-16; the message states how to export CSV.
 std::vector<CsvRow> read_csv_rows(const std::string& path);
 
 /// Returns the finite number that fills the whole cell; otherwise nothing.
@@ -38,7 +40,8 @@ struct CsvMistakes {
   std::vector<std::string> lines = {};  ///< "FILE:LINE: COLUMN: found F, expected E"
 
   void add(long line, std::string_view column, std::string_view found, std::string_view expected);
-  void throw_if_any() const;  ///< throws InputError with one line for each
+  /// Throws InputError with one line for each; of more than 40, the first ones and their number.
+  void throw_if_any() const;
 };
 
 /// A table of numbers with named columns. All rows have as many values as there are columns.

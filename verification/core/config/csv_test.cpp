@@ -42,6 +42,32 @@ TEST(CsvRows, of_a_missing_file_are_an_error) {
   EXPECT_THROW(read_csv_rows("/no/such.csv"), InputError);
 }
 
+TEST(CsvRows, have_the_separator_of_the_header) {
+  const auto semicolons = read_csv_rows(write_temporary(".csv", "a;b\n1,5;2.5\n;\n1,5,2;x,y\n"));
+  ASSERT_EQ(semicolons.size(), 3u);
+  EXPECT_EQ(semicolons[1].cells, (std::vector<std::string>{"1.5", "2.5"}));
+  EXPECT_EQ(semicolons[2].cells, (std::vector<std::string>{"1,5,2", "x,y"}));
+  const auto tabs = read_csv_rows(write_temporary("_tabs.csv", "a\tb\tc\n1,5\t\t\n"));
+  ASSERT_EQ(tabs.size(), 2u);
+  EXPECT_EQ(tabs[1].cells, (std::vector<std::string>{"1.5", "", ""}));
+}
+
+TEST(CsvRows, take_quoted_cells) {
+  const auto rows = read_csv_rows(write_temporary(".csv", "a,b\n\"x, \"\"y\"\"\" , 2\n\"open,3\n"));
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[1].cells, (std::vector<std::string>{"x, \"y\"", "2"}));
+  EXPECT_EQ(rows[2].cells, (std::vector<std::string>{"open,3"}));
+}
+
+TEST(CsvRows, reject_what_spreadsheet_programs_write_besides) {
+  const std::string utf16 = write_temporary(".csv",
+                                            "\xff\xfe"
+                                            "a");
+  EXPECT_EQ(failure(utf16), utf16 +
+                                ":1: table: found text in UTF-16, expected UTF-8: save the sheet "
+                                "as \"CSV UTF-8\"");
+}
+
 TEST(Csv, reads_numbers_under_a_header) {
   const CsvTable table = read_csv(
       write_temporary(".csv", "\xef\xbb\xbf# path\r\n t , x\r\n\r\n0, -1.5e-3\r\n1,2\r\n"));
