@@ -22,7 +22,7 @@ import thesis_index
 from drawing import DPI
 from fingerprint import Stale
 from manifest import ManifestError
-from readme_rows import ROWS
+from readme_rows import ROWS, Measured
 
 HERE = Path(__file__).parent
 
@@ -126,23 +126,31 @@ WORDS = {"holds": "hold", "holds with limits": "hold with limits", "refuted": "r
          evidence.NOT_MEASURED: "not measured in this run"}
 
 
-def headlines(root):
-    """(what, value, by) of the table of measurements in the root README, from reports/readme.json; none in a project without that file.
-    `readme.problems` compares the file with the current evidence."""
+def source_of(number, claims, names):
+    """(words, link) of where a number of the root README comes from: its claim on the page, or the page of its study."""
+    if isinstance(number, Measured):
+        return "claim", f"#claim-{number.claim}" if number.claim in claims else None
+    name = number.folder.rsplit("/", 1)[-1]
+    return f"study {name}", f"studies/{name}.html" if name in names else None
+
+
+def headlines(root, claims, names):
+    """(what, value, sources) of the table of measurements in the root README, from reports/readme.json; none in a project without that
+    file. `readme.problems` compares the file with the current evidence. `claims`, `names`: the claims and studies with a place to link to."""
     try:
         kept = readme.read_kept(root)
     except Stale:
         return []
-    return [(row.what, row.value.format(*(kept[n.key()] for n in row.numbers)), row.by)
+    return [(row.what, row.value.format(*(kept[n.key()] for n in row.numbers)), list(dict.fromkeys(source_of(n, claims, names) for n in row.numbers)))
             for row in ROWS if all(n.key() in kept for n in row.numbers)]
 
 
-def summary(shown, root):
-    """What the first screen of the page states: the rows of each verdict, and the headline numbers. `shown`: of `rows`."""
+def summary(shown, root, names):
+    """What the first screen of the page states: the rows of each verdict, and the headline numbers. `shown`: of `rows`; `names`: of studies."""
     by_verdict = [(verdict, [r for r in shown if r["verdict"] == verdict]) for verdict in WORDS]
     return {"claims": len(shown), "measurements": sum(len(r["evidence"]) for r in shown), "words": WORDS,
             "by_verdict": [(verdict, found) for verdict, found in by_verdict if found or verdict in evidence.VERDICTS],
-            "headlines": headlines(root)}
+            "headlines": headlines(root, {r["claim"].slug for r in shown}, names)}
 
 
 def study_pages(environment, made, root):
@@ -215,7 +223,7 @@ def write(path, manifest, data, drawing, made, makers, found, thesis, is_quick):
     environment, shown = environment_of(), rows(manifest, found)
     pages = study_pages(environment, made, data.root)
     pages[path.name] = environment.get_template("page.html.j2").render(
-        summary=summary(shown, data.root), chapters=chapters(manifest), rows=shown, pictures=pictures(manifest, data, drawing), studies=made.runs(),
+        summary=summary(shown, data.root, {s.name for s in made.runs()}), chapters=chapters(manifest), rows=shown, pictures=pictures(manifest, data, drawing), studies=made.runs(),
         sets=shown_sets(makers),
         bits=manifest.bit_pages, animations=manifest.animations, pages3d=manifest.pages3d, classes=class_table.rows(data.root),
         thesis=thesis_rows(*thesis, manifest), thesis_counts=thesis_index.counts(thesis_index.rows(*thesis)),
