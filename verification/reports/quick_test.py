@@ -77,7 +77,7 @@ for name in wanted.bit_pages:
 assert wanted.pages3d
 for name in wanted.pages3d:
     assert f'href="3d/{name}.html"' in page and (build / f"report-quick/3d/{name}.html").is_file(), name
-assert "Class diagrams of appendix B" in page and "<code>part_pose</code>" in page
+assert "Classes of appendix B and their counterparts" in page and "<code>part_pose</code>" in page
 assert not re.search(r"(src|href)=.https?:", page), "the page fetches something"
 balance.check(page)
 print(f"{len(wanted.claims)} claims, {len(wanted.figures)} figures, {len(shown)} studies")
