@@ -8,6 +8,7 @@
 #include "app/arguments.hpp"
 #include "app/templates.hpp"
 #include "app/terminal.hpp"
+#include "bit/cutter/cutter_columns.hpp"
 #include "calibration/case/calibration_case.hpp"
 #include "calibration/laboratory/laboratory.hpp"
 #include "core/error.hpp"
@@ -68,6 +69,7 @@ int write_new(const NewArguments& a) {
   const std::string output = (folder / "result").string();
   print_out("to run it: tdbd {} {} -o {}{}\nevery key: tdbd keys\n", files.front().command, first,
             output, a.kind == "sweep" ? ".nc" : "");
+  if (a.kind == "bit") print_out("columns of the table: tdbd keys cutter-table\n");
   return 0;
 }
 
@@ -81,10 +83,11 @@ void add_new(CLI::App& app, int& exit_code) {
       ->type_name(fmt::format("{{{}}}", fmt::join(kinds(), ",")));
   command->add_option("name", a->folder, "name of the new folder")->required()->type_name(a_folder);
   command->footer(
-      "pdc: a PDC bit drills; cones: a roller cone bit drills; top: a heavy top; sweep: a design "
-      "of\n"
-      "many cases; calibration: measured readings and a law to fit. All files are in the new "
-      "folder.\n"
+      "pdc: a PDC bit drills; bit: a bit file with a cutter table to start your own from; cones: "
+      "a\n"
+      "roller cone bit drills; top: a heavy top; sweep: a design of many cases; calibration: "
+      "measured\n"
+      "readings and a law to fit. All files are in the new folder.\n"
       "Example: tdbd new pdc first");
   command->callback([a, &exit_code] { exit_code = guarded([&] { return write_new(*a); }); });
 }
@@ -198,6 +201,7 @@ std::vector<KeyTable> tables_of_cases() {
   std::vector<KeyTable> tables = simulation::all_tables();
   for (const auto& more : {calibration::calibration_tables(), calibration::laboratory_tables()})
     tables.insert(tables.end(), more.begin(), more.end());
+  tables.push_back(bit::cutter_table_keys());
   return tables;
 }
 
@@ -210,6 +214,8 @@ int print_keys(const KeysArguments& a) {
               keys_as_markdown(tables));
   else
     print_out("{}", keys_as_text(tables));
+  if (!a.markdown && tables.size() == 1 && tables.front().name == bit::cutter_table_keys().name)
+    print_out("{}", bit::cutter_table_notes);
   return 0;
 }
 
@@ -225,7 +231,7 @@ void add_keys(CLI::App& app, int& exit_code) {
       ->type_name("TABLE");
   command->add_flag("--design", a->design, "the keys of a sweep's design instead");
   command->add_flag("--markdown", a->markdown, "as Markdown");
-  command->footer("Example: tdbd keys motion");
+  command->footer("cutter-table: the columns of a cutter table.\nExample: tdbd keys motion");
   command->callback([a, &exit_code] { exit_code = guarded([&] { return print_keys(*a); }); });
 }
 

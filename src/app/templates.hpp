@@ -6,7 +6,7 @@ namespace tdbd::app {
 
 /// A file of a template case. Files of one kind are contiguous; the first is the one to run.
 struct TemplateFile {
-  const char* kind;     ///< "pdc", "cones", "top", "sweep", "calibration"
+  const char* kind;     ///< "pdc", "bit", "cones", "top", "sweep", "calibration"
   const char* command;  ///< command that runs the first file
   const char* path;     ///< relative to the new folder
   const char* text;

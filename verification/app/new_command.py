@@ -9,6 +9,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
 SHORT = {
+    "bit": [],
     "pdc": ["--set", "time.revolutions=0.1", "--set", "rock.edge_length=6 mm", "--set", "output.means_from=0.01 s"],
     "cones": ["--set", "time.revolutions=0.02", "--set", "rock.edge_length=6 mm"],
     "top": ["--set", "time.duration=0.1 s"],
@@ -25,15 +26,18 @@ def check(kind):
     """Each file is the shipped one, and the command that is printed runs it."""
     made = tdbd("new", kind, kind)
     assert made.returncode == 0 and made.stderr == "", made
-    *files, run, keys = made.stdout.splitlines()
+    lines = made.stdout.splitlines()
+    if kind == "bit":
+        assert lines.pop() == "columns of the table: tdbd keys cutter-table"
+    *files, run, keys = lines
     assert keys == "every key: tdbd keys"
     for file in files:
         written, inside = folder / file, pathlib.Path(*pathlib.Path(file).parts[1:])
-        shipped = [ROOT / root / inside for root in ("cases", "validation") if (ROOT / root / inside).exists()]
+        shipped = [ROOT / root / inside for root in ("cases", "validation", "cases/bits/new") if (ROOT / root / inside).exists()]
         assert written.read_bytes() == shipped[0].read_bytes().replace(b"\r\n", b"\n"), file
     words = run.removeprefix("to run it: tdbd ").split()
     done = tdbd(*words, *SHORT[kind])
-    assert done.returncode == 0, (words, done)
+    assert done.returncode == 0 and done.stderr.count("warning") == 0, (words, done)
     again = tdbd("new", kind, kind)
     assert again.returncode == 2 and "which exists, expected a new folder" in again.stderr, again
 
@@ -43,7 +47,7 @@ folder.mkdir(parents=True)
 for kind in SHORT:
     check(kind)
 (folder / "mine").write_text("mine")
-for words, message in ((("new", "cone", "a"), "KIND: found cone, expected cones"), (("new", "bit", "a"), "KIND: found bit, expected one of pdc, cones"),
+for words, message in ((("new", "cone", "a"), "KIND: found cone, expected cones"), (("new", "rock", "a"), "KIND: found rock, expected one of pdc, bit, cones"),
                        (("new", "top", "mine"), "NAME: found mine, which exists"), (("new", "top"), "found no name, expected one")):
     refused = tdbd(*words)
     assert refused.returncode == 2 and message in refused.stderr, (words, refused)

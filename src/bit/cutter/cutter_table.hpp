@@ -21,12 +21,13 @@ struct CutterDefaults {
 /// Sets a cutter's shape to the default.
 void take_shape(Cutter& c, const CutterDefaults& d);
 
-/// Reads a cutter table: CSV with one header line. Blank lines and lines that begin with '#' are
-/// skipped. Columns may be in any order.
-///   required: bit, cutter, blade, zone, dia_mm, r_tip_mm, phi_deg, h_tip_mm, profile_angle_deg,
+/// Reads a cutter table: CSV with one header line (core/config/csv.hpp). Columns may be in any order
+/// and in other units (cutter_columns.hpp; `tdbd keys cutter-table` lists them).
+///   required: cutter, blade, zone, dia_mm, r_tip_mm, phi_deg, h_tip_mm, profile_angle_deg,
 ///             back_rake_deg, side_rake_deg
 ///   optional, default as in `d`: chamfer_mm, chamfer_deg, length_mm, table_mm, land_mm, land_deg
 ///   optional, default 0: wear_mm, under_exposure_mm
+///   optional, not used: bit, note
 /// under_exposure_mm is the distance of a back-up's tip inside the profile; the position of the tip
 /// already includes it. The exposure of cutters above their blades is a property of the blades: a
 /// column `exposure...` is rejected. Returns the cutters in the table's order, in SI units, each
@@ -34,7 +35,8 @@ void take_shape(Cutter& c, const CutterDefaults& d);
 /// found X, expected Y". Thesis: 3.2.2 (the quantities that place a cutter).
 std::vector<Cutter> read_cutter_table(const std::string& csv_path, const CutterDefaults& d);
 
-/// Returns the cutters as a table with every column. read_cutter_table reads bitwise identical
+/// Returns the cutters as a table with every column, with the shortest numbers that give the same
+/// values. read_cutter_table reads bitwise identical
 /// values back if the cutters came from a table with these columns or from a generator. `bit`:
 /// value of the first column.
 std::string cutter_table_text(const std::string& bit, const std::vector<Cutter>& cutters);

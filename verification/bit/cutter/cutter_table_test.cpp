@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "bit/cutter/cutter_columns.hpp"
 #include "bit/generate_design.hpp"
 #include "core/error.hpp"
 #include "verification/core/temporary_folder.hpp"
@@ -129,8 +130,75 @@ TEST_F(CutterTable, names_missing_unknown_and_repeated_columns) {
   EXPECT_EQ(mistakes("bit,cutter,blade,zone,dia_mm,dia_mm,r_tip_mm,phi_deg,h_tip_mm,color,"
                      "profile_angle_deg,side_rake_deg\nX,1,1,nose,19,19,50,90,3,red,10,2\n"),
             ":1: dia_mm: found the column twice, expected it once\n"
-            ":1: color: found an unknown column, expected a known one\n"
+            ":1: color: found an unknown column, expected one of bit, cutter, blade, zone, dia_mm, "
+            "r_tip_mm, phi_deg, h_tip_mm, profile_angle_deg, back_rake_deg, side_rake_deg, "
+            "chamfer_mm, chamfer_deg, length_mm, table_mm, land_mm, land_deg, wear_mm, "
+            "under_exposure_mm, or note\n"
             ":1: back_rake_deg: found no such column, expected it in the header");
+}
+
+TEST_F(CutterTable, accepts_other_units_and_spellings) {
+  const Cutter c = read(
+                       "Cutter;BLADE;Zone;dia [in];R tip (cm);phi_rad;h_tip_m;Profile-angle_deg;"
+                       "back_rake_deg;side_rake_deg;Notes\n"
+                       "\n;;;;;;;;;;\n"
+                       "1;2;nose;0,75;5,0;1,5707963267948966;3e-3;10;15;2,0;\"a; b\"\n")
+                       .at(0);
+  EXPECT_DOUBLE_EQ(c.diameter, 0.75 * 0.0254);
+  EXPECT_DOUBLE_EQ(c.tip_radius, 0.05);
+  EXPECT_DOUBLE_EQ(c.azimuth, 0.5 * pi);
+  EXPECT_DOUBLE_EQ(c.tip_height, 3e-3);
+  EXPECT_DOUBLE_EQ(c.side_rake, 2 * degree);
+  EXPECT_EQ(c.line, 4);
+}
+
+TEST_F(CutterTable, suggests_columns_and_units) {
+  const auto with_header = [&](const char* from, const char* to) {
+    std::string text = std::string(header) + "\n" + good_row + "\n";
+    const std::string mistake =
+        mistakes(text.replace(text.find(from), std::string(from).size(), to));
+    return mistake.substr(0, mistake.find('\n'));
+  };
+  EXPECT_EQ(with_header("r_tip_mm", "r_tip_ft"),
+            ":1: r_tip_ft: found the unit \"ft\", expected mm, cm, m or in at the end of the name, "
+            "as in r_tip_mm");
+  EXPECT_EQ(with_header("phi_deg", "phi_mm"),
+            ":1: phi_mm: found the unit \"mm\", expected deg or rad at the end of the name, as in "
+            "phi_deg");
+  EXPECT_EQ(with_header("h_tip_mm", "h_tip"),
+            ":1: h_tip: found a column without a unit, expected mm, cm, m or in at the end of the "
+            "name, as in h_tip_mm");
+  EXPECT_EQ(with_header("back_rake_deg", "backrake_deg"),
+            ":1: backrake_deg: found an unknown column, expected back_rake_deg");
+  EXPECT_EQ(with_header("dia_mm", "Diameter [mm]"),
+            ":1: diameter_mm: found an unknown column, expected dia_mm");
+  EXPECT_EQ(
+      with_header("side_rake_deg", "side_rake_deg,exposure_mm"),
+      ":1: exposure_mm: found a column of exposures, expected under_exposure_mm here, exposure "
+      "in the bit file's [blades]");
+}
+
+TEST_F(CutterTable, suspects_decimal_commas_and_missing_points) {
+  EXPECT_EQ(mistakes_of_row("X,1,2,nose,19,50,5,90,3,10,15,2"),
+            ":2: row: found 12 cells (decimal commas? Then separate the columns with semicolons), "
+            "expected 11, as in the header");
+  EXPECT_EQ(mistakes_of_row("X,1,2,nose,19,50144,90,3,10,15,2"),
+            ":2: r_tip_mm: found 50144, expected at most 10000 mm: is the decimal point missing?");
+}
+
+TEST_F(CutterTable, rejects_a_workbook) {
+  EXPECT_EQ(mistakes(std::string("PK\x03\x04", 4) + "..."),
+            ":1: table: found a workbook of a spreadsheet program, expected a CSV table: save the "
+            "sheet as \"CSV UTF-8\" (Excel: File, Save As; LibreOffice: File, Save As, Text CSV)");
+}
+
+TEST_F(CutterTable, lists_its_columns) {
+  const KeyTable keys = cutter_table_keys();
+  ASSERT_EQ(keys.rows.size(), 19u);
+  EXPECT_EQ(keys.rows[1].name, "cutter");
+  EXPECT_EQ(keys.rows[5].name, "r_tip_mm");
+  EXPECT_EQ(keys.rows[5].fallback, "required");
+  EXPECT_EQ(keys.rows[11].fallback, "cutters.chamfer");
 }
 
 TEST_F(CutterTable, rejects_half_numbers) {
