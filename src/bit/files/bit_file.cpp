@@ -23,14 +23,6 @@
 namespace tdbd::bit {
 namespace {
 
-/// The gage is that of the outermost tip, as far as it could be read.
-void check_pads(Config& file, const std::vector<Cutter>& cutters, const GagePads& pads) {
-  if (cutters.empty() || file.problem_count() > 0) return;
-  Config c = file.table(PadSettings::table);
-  const double gage = std::ranges::max(cutters, {}, &Cutter::tip_radius).tip_radius;
-  for (const PadProblem& p : pad_problems(pads, gage)) c.problem(p.key, p.found, p.expected);
-}
-
 /// Adds the table's mistakes to those of the bit file.
 std::vector<Cutter> read_table(Config& c, const std::string& table,
                                const CutterDefaults& defaults) {
@@ -51,8 +43,10 @@ double reach(const Bit& bit, int cutter) {
   return radius;
 }
 
-/// Throws if a cutter reaches beyond the gage given in the bit file.
-void require_cutters_inside_gage(const Bit& bit, double gage_radius, const std::string& file) {
+/// Throws if a cutter reaches beyond the gage given in the bit file. Doubts about the table come
+/// first.
+void require_cutters_inside_gage(const Bit& bit, double gage_radius, const std::string& file,
+                                 const std::vector<BitDoubt>& doubts) {
   constexpr double slack = 5e-5;  // m: rounding of tables and tolerance of bits
   std::string lines;
   for (std::size_t i = 0; i < bit.cutters.size(); ++i)
@@ -62,7 +56,10 @@ void require_cutters_inside_gage(const Bit& bit, double gage_radius, const std::
           "expected at most half of gage_diameter, {:.3f} mm",
           lines.empty() ? "" : "\n", file, bit.cutters[i].line, bit.cutters[i].id, 1e3 * r,
           1e3 * gage_radius);
-  if (!lines.empty()) throw InputError(lines);
+  if (lines.empty()) return;
+  std::string rows;
+  for (const BitDoubt& d : doubts) rows += fmt::format("{}: {}\n", d.place, d.text);
+  throw InputError(rows + lines);
 }
 
 /// In m. A design requires its gage diameter; a table does not.
@@ -89,16 +86,21 @@ BitFile read_pdc_bit(Config& c, const std::string& name, DirectionRule direction
   std::vector<Cutter> cutters =
       designed ? read_design(c.table(DesignSettings::table), gage_radius, defaults)
                : read_table(c, table, defaults);
+  std::vector<BitDoubt> doubts;
+  if (!designed) {
+    doubts = check_table(c, table, cutters);
+    check_gage(c, table, cutters, gage_radius, doubts);
+  }
   adjust_cutters(c.table(Adjustment::table), cutters);
-  check_pads(c, cutters, options.pads);
-  if (options.blades) check_blades(c, cutters, *options.blades);
+  check_pads(c, cutters, options.pads, doubts);
+  if (options.blades) check_blades(c, cutters, *options.blades, doubts);
   c.finish_before("areas");
   Bit bit = pdc_bit(name, cutters, options);
-  require_cutters_inside_gage(bit, gage_radius, designed ? c.files().front() : table);
+  require_cutters_inside_gage(bit, gage_radius, designed ? c.files().front() : table, doubts);
   std::vector<std::string> without_density;
   apply_areas(c, bit, without_density);
   c.finish();
-  return {std::move(bit), c.files(), c.fingerprint()};
+  return {std::move(bit), c.files(), c.fingerprint(), {}, std::move(doubts)};
 }
 
 BitFile read_mesh_bit(Config& c, const std::string& name, DirectionRule directions,
@@ -144,8 +146,8 @@ void require_one_source(Config& c) {
 std::vector<KeyTable> bit_tables() {
   const std::string command = "bit";
   std::vector<KeyTable> all{
-      table_of<NameOfBit, CutterTableFile, GageDiameter, UnitCheck, InterferenceSetting>(
-          command, NameOfBit::table),
+      table_of<NameOfBit, CutterTableFile, TableCheck, GageDiameter, UnitCheck,
+               InterferenceSetting>(command, NameOfBit::table),
       table_of<CutterMeshSettings, ConeMeshSettings>(
           command, {"mesh", "the meshes of cutters, or of cones and their teeth"}),
       table_of<ConeSettings, ConeJournal>(command, ConeSettings::table),
@@ -163,8 +165,9 @@ std::vector<KeyTable> bit_tables() {
 }
 
 BitFile read_bit(const std::string& path, DirectionRule directions, InsideRule inside,
-                 Densities densities, const std::vector<std::string>& overrides) {
-  Config c = Config::read_file(path, overrides, "bit.set");
+                 Densities densities, const std::vector<std::string>& overrides,
+                 const std::string& origin) {
+  Config c = Config::read_file(path, overrides, origin);
   NameOfBit top;
   read_fields(c, top);
   const std::string& name = top.name;

@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <string_view>
 
 #include "bit/body/blade_body.hpp"
+#include "bit/cutter/table_doubts.hpp"
 #include "bit/files/design_settings.hpp"
 #include "bit/pdc/pdc_generator.hpp"
+#include "core/config/csv.hpp"
 #include "core/types.hpp"
 
 namespace tdbd::bit {
@@ -55,33 +59,87 @@ std::vector<BladeDesign> read_blade_designs(Config& design) {
   return blades;
 }
 
+/// An angle (rad), or that of at most twelve digits in degrees from which it differs by rounding
+/// only: -15 degrees after -17 + 2, not -14.999999999999998.
+double without_rounding(double x) {
+  constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon();
+  const double value = x / degree;
+  const auto near = csv_number<double>(fmt::format("{:.12g}", value));
+  return near && std::abs(*near - value) <= rounding * std::abs(value) ? *near * degree : x;
+}
+
+void increase(double& angle, double by) {
+  if (by != 0.0) angle = without_rounding(angle + by);
+}
+
 void add(const Adjustment& a, Cutter& c) {
-  c.azimuth += a.azimuth;
-  c.back_rake += a.back_rake;
-  c.side_rake += a.side_rake;
+  increase(c.azimuth, a.azimuth);
+  increase(c.back_rake, a.back_rake);
+  increase(c.side_rake, a.side_rake);
   c.tip_radius += a.along * std::cos(c.profile_angle);
   c.tip_height += a.along * std::sin(c.profile_angle);
 }
 
-/// Adjusts the cutters whose number is the name of a table: [adjust.blade.2].
-void adjust_some(Config c, int Cutter::*number, const char* what, std::vector<Cutter>& cutters) {
+/// Numbers from `first` to `last`.
+struct NumberRange {
+  int first = 0, last = -1;
+};
+
+/// Reads "7", "22-39" or "1,4,22-39". Returns nothing for other texts.
+std::vector<NumberRange> number_ranges(std::string_view text) {
+  std::vector<NumberRange> ranges;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (true) {
+    NumberRange r;
+    auto [rest, error] = std::from_chars(at, end, r.first);
+    if (error != std::errc()) return {};
+    r.last = r.first;
+    if (rest != end && *rest == '-') {
+      const auto second = std::from_chars(rest + 1, end, r.last);
+      if (second.ec != std::errc() || r.last < r.first) return {};
+      rest = second.ptr;
+    }
+    ranges.push_back(r);
+    if (rest == end) return ranges;
+    if (*rest != ',') return {};
+    at = rest + 1;
+  }
+}
+
+/// Adjusts the cutters that each table selects by its name: [adjust.blade.2], [adjust.zone.nose].
+/// `selects`: whether a table of this name selects a cutter.
+template <class Selects>
+void adjust_some(Config c, const std::string& expected, const Selects& selects,
+                 std::vector<Cutter>& cutters) {
   for (const std::string& name : c.given()) {
     Config table = c.table(name);
     Adjustment a;
     read_fields(table, a);
-    int wanted = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), wanted);
     long found = 0;
     for (Cutter& cutter : cutters)
-      if (error == std::errc() && end == name.data() + name.size() && cutter.*number == wanted) {
+      if (selects(name, cutter)) {
         add(a, cutter);
         ++found;
       }
     const std::vector<std::string> given = table.given();
     if (found == 0 && !cutters.empty())
-      table.problem(given.empty() ? "" : given.front(), "a table of " + name,
-                    fmt::format("the number of a {}", what));
+      table.problem(given.empty() ? "" : given.front(), "a table of " + name, expected);
   }
+}
+
+bool selects_number(const std::string& name, int number) {
+  return std::ranges::any_of(number_ranges(name), [&](const NumberRange& r) {
+    return r.first <= number && number <= r.last;
+  });
+}
+
+/// "cone, nose, shoulder or gage", as in the table.
+std::string zones_of(const std::vector<Cutter>& cutters) {
+  std::vector<std::string> zones;
+  for (const Cutter& c : cutters)
+    if (std::ranges::count(zones, c.zone) == 0) zones.push_back(c.zone);
+  return listed(zones);
 }
 
 /// Records values that a cutter table would not allow either.
@@ -95,6 +153,22 @@ void check_adjusted(Config& c, const Cutter& cutter) {
   if (std::abs(side) > 45.0) refuse("side_rake", side, "deg", "an angle in -45..45");
   if (cutter.tip_radius < 0.0)
     refuse("along", 1e3 * cutter.tip_radius, "mm from the axis", "a radius >= 0");
+}
+
+/// Records problems that wrong rows of the table may have caused. The doubts about the table become
+/// mistakes and come first.
+template <class Problem>
+void report_after_doubts(Config& c, const std::vector<Problem>& problems,
+                         std::vector<BitDoubt>& doubts) {
+  if (problems.empty()) return;
+  if (doubts.empty()) {
+    for (const Problem& p : problems) c.problem(p.key, p.found, p.expected);
+    return;
+  }
+  for (const BitDoubt& d : doubts) c.other_file(d.place + ": " + d.text);
+  for (const Problem& p : problems)
+    c.other_file(fmt::format("{}: found {}, expected {}", c.place(p.key), p.found, p.expected));
+  doubts.clear();
 }
 
 }  // namespace
@@ -123,17 +197,63 @@ std::vector<Cutter> read_design(Config c, double gage_radius, const CutterDefaul
   return layout.problems.empty() ? layout.cutters : std::vector<Cutter>{};
 }
 
+std::vector<BitDoubt> check_table(Config& c, const std::string& table,
+                                  const std::vector<Cutter>& cutters) {
+  TableCheck s;
+  read_fields(c, s);
+  std::vector<BitDoubt> doubts;
+  if (!s.table_check) return doubts;
+  bool impossible = false;
+  for (const TableDoubt& d : table_doubts(cutters)) {
+    impossible = impossible || d.severity == Severity::impossible;
+    doubts.push_back({fmt::format("{}:{}: {}", table, d.line, d.column), d.column,
+                      fmt::format("found {}, expected {}", d.found, d.expected)});
+  }
+  if (!impossible) return doubts;
+  for (const BitDoubt& d : doubts) c.other_file(d.place + ": " + d.text);
+  return {};
+}
+
+void check_gage(Config& c, const std::string& table, const std::vector<Cutter>& cutters,
+                double gage_radius, std::vector<BitDoubt>& doubts) {
+  constexpr std::size_t fewest = 8;
+  constexpr double too_small = 0.8, small = 0.97, too_large = 1.05;
+  constexpr std::ptrdiff_t several = 3;
+  if (cutters.size() < fewest || !std::isfinite(gage_radius) || c.problem_count() > 0) return;
+  const Cutter& widest = std::ranges::max(cutters, {}, &Cutter::tip_radius);
+  const double share = widest.tip_radius / gage_radius;
+  const auto outside = std::ranges::count_if(
+      cutters, [&](const Cutter& k) { return k.tip_radius > too_large * gage_radius; });
+  const std::string found = mm_text(2.0 * gage_radius);
+  const std::string expected = fmt::format(
+      "about {}: the outermost tip of {}, cutter {} in line {}, is at a radius of {}",
+      mm_text(2.0 * widest.tip_radius), table, widest.id, widest.line, mm_text(widest.tip_radius));
+  if (share < too_small || outside >= several)
+    report_after_doubts(c, std::vector{PadProblem{"gage_diameter", found, expected}}, doubts);
+  else if (share < small)
+    doubts.push_back({c.place("gage_diameter"), "gage_diameter",
+                      fmt::format("found {}, expected {}", found, expected)});
+}
+
 std::optional<BladeOptions> read_blades(Config& file) {
   if (!file.has(BladeSettings::table)) return {};
   return read_table<BladeSettings>(file).blades;
 }
 
-void check_blades(Config& file, const std::vector<Cutter>& cutters, const BladeOptions& blades) {
+void check_pads(Config& file, const std::vector<Cutter>& cutters, const GagePads& pads,
+                std::vector<BitDoubt>& doubts) {
+  if (cutters.empty() || file.problem_count() > 0) return;
+  Config c = file.table(PadSettings::table);
+  const double gage = std::ranges::max(cutters, {}, &Cutter::tip_radius).tip_radius;
+  report_after_doubts(c, pad_problems(pads, gage), doubts);
+}
+
+void check_blades(Config& file, const std::vector<Cutter>& cutters, const BladeOptions& blades,
+                  std::vector<BitDoubt>& doubts) {
   if (cutters.empty() || file.problem_count() > 0) return;
   Config c = file.table(BladeSettings::table);
   const double gage = std::ranges::max(cutters, {}, &Cutter::tip_radius).tip_radius;
-  for (const BladeProblem& p : blade_problems(cutters, blades, gage))
-    c.problem(p.key, p.found, p.expected);
+  report_after_doubts(c, blade_problems(cutters, blades, gage), doubts);
 }
 
 void adjust_cutters(Config adjust, std::vector<Cutter>& cutters) {
@@ -141,8 +261,16 @@ void adjust_cutters(Config adjust, std::vector<Cutter>& cutters) {
   Adjustment all;
   read_fields(adjust, all);
   for (Cutter& c : cutters) add(all, c);
-  adjust_some(adjust.table("blade"), &Cutter::blade, "blade", cutters);
-  adjust_some(adjust.table("cutter"), &Cutter::id, "cutter", cutters);
+  adjust_some(
+      adjust.table("zone"), "a zone of the cutters: " + zones_of(cutters),
+      [](const std::string& name, const Cutter& c) { return c.zone == name; }, cutters);
+  adjust_some(
+      adjust.table("blade"), "the number of a blade, or numbers such as 1-3",
+      [](const std::string& name, const Cutter& c) { return selects_number(name, c.blade); },
+      cutters);
+  adjust_some(
+      adjust.table("cutter"), "the number of a cutter, or numbers such as 22-39",
+      [](const std::string& name, const Cutter& c) { return selects_number(name, c.id); }, cutters);
   for (Cutter& c : cutters) {
     check_adjusted(adjust, c);
     c.X_BC = cutter_pose(c);

@@ -54,6 +54,18 @@ struct GageDiameter {
   }
 };
 
+/// Of a bit with a cutter table.
+struct TableCheck {
+  bool table_check = true;
+
+  void visit(FieldVisitor& v) {
+    v(table_check,
+      {.name = "table_check",
+       .meaning = "table: whether to compare each cutter with its neighbours, and reject rows that "
+                  "make no bit"});
+  }
+};
+
 /// Of a bit of meshes.
 struct UnitCheck {
   bool unit_check = true;
@@ -196,13 +208,16 @@ struct BladeSettings {
   }
 };
 
-/// [adjust], [adjust.blade.N] and [adjust.cutter.N]: increments of a cutter's values.
+/// [adjust], [adjust.zone.NAME], [adjust.blade.N] and [adjust.cutter.N]: increments of a cutter's
+/// values. N is a number or a range, 22-39.
 struct Adjustment {
   double azimuth = 0.0, back_rake = 0.0, side_rake = 0.0;  ///< rad
   double along = 0.0;                                      ///< m
 
   static constexpr TableKey table{
-      "adjust", "changes of a layout: of all cutters, of [adjust.blade.N], of [adjust.cutter.N]"};
+      "adjust",
+      "changes of a layout: of all cutters; of a zone, [adjust.zone.shoulder]; of "
+      "[adjust.blade.2] or [adjust.blade.1-3]; of [adjust.cutter.7] or [adjust.cutter.22-39]"};
   void visit(FieldVisitor& v) {
     v(azimuth, {.name = "azimuth", .unit = "rad", .meaning = "turns cutters about the bit's axis"});
     v(back_rake, {.name = "back_rake", .unit = "rad", .meaning = "is added to the back rake"});
@@ -223,12 +238,39 @@ std::vector<Cutter> read_design(Config c, double gage_radius, const CutterDefaul
 /// if it is absent. Mistakes are recorded in `file`.
 std::optional<BladeOptions> read_blades(Config& file);
 
+/// A value that is legal and probably not intended.
+struct BitDoubt {
+  std::string place;  ///< "FILE:LINE: KEY"
+  std::string key;    ///< or the column of a table
+  std::string text;   ///< "found F, expected E"
+};
+
+/// Compares the cutters of a table with each other (cutter/table_doubts.hpp), unless table_check is
+/// off. Returns what may be intended. If a value makes no bit, all doubts are recorded as mistakes.
+std::vector<BitDoubt> check_table(Config& c, const std::string& table,
+                                  const std::vector<Cutter>& cutters);
+
+// The following checks depend on the whole table. If they fail, the doubts about its rows are
+// recorded as mistakes before their own, because wrong rows are the likely cause.
+
+/// Compares gage_diameter (as a radius, m) with the outermost tip of at least eight. A mistake if
+/// the tip is within 80 % of it, or if several tips are outside; adds a doubt within 97 %. Does
+/// nothing after other mistakes.
+void check_gage(Config& c, const std::string& table, const std::vector<Cutter>& cutters,
+                double gage_radius, std::vector<BitDoubt>& doubts);
+
+/// Records, at their keys, the reasons why the pads are impossible for these cutters (pdc_bit.hpp).
+/// The gage is that of the outermost tip.
+void check_pads(Config& file, const std::vector<Cutter>& cutters, const GagePads& pads,
+                std::vector<BitDoubt>& doubts);
+
 /// Records, at their keys, the reasons why the blades are impossible for these cutters
 /// (bit/body/blade_body.hpp).
-void check_blades(Config& file, const std::vector<Cutter>& cutters, const BladeOptions& blades);
+void check_blades(Config& file, const std::vector<Cutter>& cutters, const BladeOptions& blades,
+                  std::vector<BitDoubt>& doubts);
 
-/// Reads [adjust] and changes the cutters; changes are added up. Records as mistakes blades and
-/// cutters that the bit does not have, and rakes or positions that no cutter can have.
+/// Reads [adjust] and changes the cutters; changes are added up. Records as mistakes zones, blades
+/// and cutters that the bit does not have, and rakes or positions that no cutter can have.
 void adjust_cutters(Config adjust, std::vector<Cutter>& cutters);
 
 }  // namespace tdbd::bit

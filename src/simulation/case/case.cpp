@@ -168,6 +168,7 @@ bit::BitFile read_tables(Config& c, const BitReader& read_bit, Case& read) {
   read.update = read_table<UpdatePlan>(c);
   bit::BitFile file = read_bit_of(c, read.update, read_bit);
   read.bit = file.bit;
+  for (const bit::BitDoubt& d : file.doubts) read.warnings.push_back({d.place, d.key, d.text});
   read.rock = read_rock(c);
   const RigLog log = read_rig_log(c);
   read.motion = read_motion(c, read.bit, log);

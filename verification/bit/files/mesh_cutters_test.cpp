@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bit/cutter/cutter.hpp"
+#include "bit/cutter/cutter_table.hpp"
 #include "bit/files/bit_export.hpp"
 #include "bit/files/bit_file.hpp"
 #include "bit/files/bit_reading.hpp"
@@ -173,6 +174,32 @@ RC_GTEST_PROP(AdjustFile, changes_add_up, ()) {
   }
 }
 
+TEST(AdjustFile, changes_zones_and_ranges) {
+  const std::vector<Cutter> before = cutters_with({}),
+                            after = cutters_with({"adjust.zone.nose.back_rake=2 deg",
+                                                  "adjust.cutter.22-25.side_rake=1 deg",
+                                                  "adjust.blade.1-2.azimuth=3 deg",
+                                                  "adjust.cutter.1,3.back_rake=1 deg"});
+  constexpr double rounding = 1e-14;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const Cutter &a = before[i], &b = after[i];
+    const double back = (a.zone == "nose" ? 2.0 : 0.0) + (a.id == 1 || a.id == 3 ? 1.0 : 0.0);
+    EXPECT_NEAR(b.back_rake - a.back_rake, back * degree, rounding) << a.id;
+    EXPECT_NEAR(b.side_rake - a.side_rake, a.id >= 22 && a.id <= 25 ? degree : 0.0, rounding);
+    EXPECT_NEAR(b.azimuth - a.azimuth, a.blade <= 2 ? 3.0 * degree : 0.0, 10.0 * rounding);
+  }
+}
+
+/// Angles in degrees are written as they were given, although sums in radians are rounded.
+TEST(AdjustFile, writes_round_numbers) {
+  const std::string text =
+      cutter_table_text("b", cutters_with({"adjust.cutter.1-7.side_rake=-17 deg",
+                                           "adjust.side_rake=2 deg", "adjust.back_rake=1.3 deg"}));
+  EXPECT_NE(text.find("\nb,1,1,cone,19,5.144,359.428,14.035,-15,13.3,-15,"), std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("99999"), std::string::npos) << text;
+}
+
 /// The way along the profile is at right angles to the profile's normal.
 TEST(AdjustFile, moves_along_the_tangent) {
   const std::vector<Cutter> before = cutters_with({}),
@@ -187,10 +214,16 @@ TEST(AdjustFile, moves_along_the_tangent) {
 
 TEST(AdjustFile, rejects_what_the_bit_does_not_have) {
   EXPECT_EQ(mistake_of({"adjust.blade.9.azimuth=1 deg"}),
-            "bit.set: adjust.blade.9.azimuth: found a table of 9, expected the number of a blade");
+            "bit.set: adjust.blade.9.azimuth: found a table of 9, expected the number of a blade, "
+            "or numbers such as 1-3");
+  EXPECT_EQ(mistake_of({"adjust.zone.sholder.back_rake=1 deg"}),
+            "bit.set: adjust.zone.sholder.back_rake: found a table of sholder, expected a zone of "
+            "the cutters: cone, nose, shoulder, gage");
+  EXPECT_NE(mistake_of({"adjust.cutter.39-22.back_rake=1 deg"}).find("found a table of 39-22"),
+            std::string::npos);
   EXPECT_EQ(mistake_of({"adjust.cutter.first.back_rake=1 deg"}),
             "bit.set: adjust.cutter.first.back_rake: found a table of first, expected the number "
-            "of a cutter");
+            "of a cutter, or numbers such as 22-39");
   EXPECT_EQ(mistake_of({"adjust.bak_rake=1 deg"}),
             "bit.set: adjust.bak_rake: found an unknown key, expected back_rake");
   EXPECT_NE(mistake_of({"adjust.back_rake=60 deg"}).find("expected an angle in -5..60"),

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "bit/bit.hpp"
+#include "bit/cutter/table_doubts.hpp"
+
+namespace tdbd::bit {
+
+/// A cutter's tip on the profile: m, rad.
+struct ProfileTip {
+  double r = 0.0, h = 0.0, angle = 0.0, diameter = 0.0;
+  std::size_t index = 0;  ///< of the cutter
+};
+
+/// The face cutters (without under-exposure) along the profile, from the axis to the gage. They are
+/// sorted by r + h, which increases along any profile whose cone is flatter than 45 degrees.
+std::vector<ProfileTip> tips_along_profile(const std::vector<Cutter>& cutters);
+
+/// How badly a tip fits its neighbours; at most 1 is usual.
+struct Misfit {
+  double place = 0.0, angle = 0.0;
+  double worst() const { return place > angle ? place : angle; }
+};
+
+/// Compares a tip with its two nearest neighbours. On a smooth profile, the chord between two tips
+/// has the mean of their profile angles, exactly on a circle. `place`: distance of the tip from
+/// that chord over a tolerance of 0.4 mm and a quarter of the bend; the better neighbour counts, so
+/// that a wrong neighbour has no effect. `angle`: difference of the profile angle from that of the
+/// neighbours, or of the chords, whichever is less, over a tolerance of 3.5 degrees.
+Misfit misfit_at(const std::vector<ProfileTip>& tips, std::size_t i);
+
+/// Number of tips that do not fit.
+std::size_t misfits(const std::vector<ProfileTip>& tips);
+
+/// Names the cutters that do not fit, the worst first; each is left out before the next is sought.
+std::vector<TableDoubt> profile_doubts(const std::vector<Cutter>& cutters);
+
+}  // namespace tdbd::bit
