@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include "app/arguments.hpp"
@@ -153,6 +154,31 @@ int list_figures(const sweep::Design& d, const fs::path& table) {
   return 0;
 }
 
+std::string correlation_text(double rho) {
+  return std::isfinite(rho) ? fmt::format("{:.2f}", rho) : "unknown (fewer than three values)";
+}
+
+/// Prints how well a filter follows the results, with a warning if it hardly does.
+void print_filter(const sweep::FilterReport& f) {
+  if (f.unchanged_message.empty())
+    print_out("unchanged case: {} {:.4g}, {} {:.4g}", f.figure, f.unchanged_figure, f.filter,
+              f.unchanged_filter);
+  else
+    print_out("unchanged case: failed: {}", f.unchanged_message);
+  if (f.best_point >= 0)
+    print_out("; best point, number {}: {} {:.4g}", f.best_point, f.figure, f.best_figure);
+  print_out(
+      "\nrank correlation of {} and {}: {} for all {} points, {} for the {} that the filter "
+      "finds best\n",
+      f.filter, f.figure, correlation_text(f.of_all), f.points, correlation_text(f.of_best),
+      f.best);
+  if (std::abs(f.of_all) < sweep::weak_correlation)
+    print_warning(fmt::format(
+        "{} hardly follows {}: the filter may have rejected better points; raise filter.keep or "
+        "filter.samples",
+        f.filter, f.figure));
+}
+
 void print_result(const sweep::Design& d, const sweep::SweepResult& r, const fs::path& table) {
   if (r.failed > 0)
     print_warning(fmt::format("{} of {} points failed, the first with: {}", r.failed, r.done,
@@ -161,9 +187,14 @@ void print_result(const sweep::Design& d, const sweep::SweepResult& r, const fs:
     return print_out(
         "{} of {} points are done{}\n", r.done, r.points,
         r.interrupted ? "; repeat the command to continue" : "; the last shard writes the table");
-  print_out("{} points done, {} of them before{}\ntable in {}; to draw it: reports/sweep.py {}\n",
-            r.points, r.found, d.goals.empty() ? "" : fmt::format("; {} on the front", r.on_front),
-            table.string(), table.string());
+  print_out("{} points done, {} of them before{}\n", r.points, r.found,
+            d.goals.empty() ? "" : fmt::format("; {} on the front", r.on_front));
+  if (r.filter) print_filter(*r.filter);
+  if (r.unsteady > 0)
+    print_warning(
+        fmt::format("the means of {} of {} points are not steady (column steady): run longer",
+                    r.unsteady, r.done));
+  print_out("table in {}; to draw it: reports/sweep.py {}\n", table.string(), table.string());
 }
 
 int sweep_points(const SweepArguments& a) {

@@ -3,6 +3,9 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "sweep/table/table.hpp"
 
@@ -35,6 +38,8 @@ struct SweepResult {
   bool interrupted = false;
   bool written = false;  ///< whether the table was written: all points of the design are completed
   std::string first_failure;
+  long unsteady = 0;  ///< completed points that state that their means are not steady
+  std::optional<FilterReport> filter;  ///< of a design with a filter, if the table was written
 };
 
 /// Runs the points of a shard that are in no journal, several at a time, each on one thread. Writes
@@ -42,6 +47,14 @@ struct SweepResult {
 /// only the running points are lost, and another call resumes the sweep. Throws InputError and
 /// RunError.
 SweepResult run_sweep(const Design& d, const SweepOptions& options);
+
+/// Runs a list of points, each the overrides of the design's case in place of its factors, like the
+/// points of a shard: those of no journal beside `options.table`, several at a time, each on one
+/// thread. Writes no table. Returns the records in the order of the list; a point that an
+/// interruption prevented has none. Throws InputError and RunError.
+std::vector<std::optional<PointRecord>> run_listed(
+    const Design& d, const std::vector<std::vector<std::string>>& list,
+    const SweepOptions& options);
 
 /// Returns the keys that distinguish points: a hash of program, command, contents of all files,
 /// figures and overrides.

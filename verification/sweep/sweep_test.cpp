@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -102,7 +104,8 @@ TEST(Sweep, rotates_and_analyses_too) {
   EXPECT_NE(found.at(keys[1]).outcome.figures[0], analysis["imbalance_of_unit_law"]);
 }
 
-/// The planar model judges all points; those with the best results are run, by any process.
+/// The planar model judges all points; those with the best results are run, by any process, with a
+/// sample of the others and the unchanged case.
 TEST(Sweep, runs_what_the_planar_model_finds_best) {
   const fs::path folder = empty_folder("filter");
   const std::string turned =
@@ -111,7 +114,11 @@ TEST(Sweep, runs_what_the_planar_model_finds_best) {
   const std::string filter = "[filter]\nfigure = \"imbalance\"\nkeep = 2\n";
   const Design d = design_from(folder, small_hole(turned + filter));
   const SweepResult whole = swept(d, folder / "t.nc");
-  EXPECT_EQ(whole.points, 2);
+  EXPECT_EQ(whole.points, 4);
+  ASSERT_TRUE(whole.filter);
+  EXPECT_EQ(whole.filter->figure, "wob_mean_n");
+  EXPECT_EQ(whole.filter->points, 4);
+  EXPECT_TRUE(std::isfinite(whole.filter->of_all));
   std::string judge = small_hole(turned);
   judge.replace(judge.find("figures = [") + 11,
                 judge.find("]\n[set]") - judge.find("figures = [") - 11, "\"imbalance\"");
@@ -122,17 +129,77 @@ TEST(Sweep, runs_what_the_planar_model_finds_best) {
   std::vector<double> figure;
   for (const std::string& key : point_keys(planar, points_of(planar)))
     figure.push_back(found.at(key).outcome.figures[0]);
-  const std::vector<char> kept = judged_by(*d.filter, figure).kept;
+  const std::vector<KeptAs> kept = judged_by(*d.filter, figure).kept;
+  EXPECT_EQ(std::ranges::count(kept, KeptAs::sample), 1);
   const PointRecords records = read_journals(points_folder(folder / "t.nc"));
   const std::vector<std::string> keys = point_keys(d, points_of(d));
   for (std::size_t i = 0; i < keys.size(); ++i)
-    EXPECT_EQ(records.contains(keys[i]), kept[i] != 0) << i;
+    EXPECT_EQ(records.contains(keys[i]), kept[i] != KeptAs::left_out) << i;
   swept(d, folder / "s.nc", 1, {2, 2});
   EXPECT_FALSE(fs::exists(folder / "s.nc"));
   swept(d, folder / "s.nc", 1, {1, 2});
   EXPECT_EQ(text_of(folder / "s.nc"), text_of(folder / "t.nc"));
   EXPECT_EQ(text_of(folder / "s.csv"), text_of(folder / "t.csv"));
   EXPECT_NE(text_of(folder / "t.csv").find(",left-out,"), std::string::npos);
+  EXPECT_EQ(text_of(folder / "s_filter.csv"), text_of(folder / "t_filter.csv"));
+}
+
+/// The case without the factors is run although no point is it, and its results are those of a run.
+TEST(Sweep, with_a_filter_runs_the_unchanged_case) {
+  const fs::path folder = empty_folder("unchanged");
+  const std::string factor =
+      "[[factors]]\nkey = \"bit.set.adjust.blade.2.azimuth\"\nvalues = [\"5 deg\", \"6 deg\"]\n";
+  const Design d = design_from(
+      folder, small_hole(factor + "[filter]\nfigure = \"imbalance\"\nkeep = 1\nsamples = 0\n"));
+  const SweepResult r = swept(d, folder / "t.nc");
+  EXPECT_EQ(r.points, 2);
+  simulation::RunOptions options;
+  options.folder = folder / "single";
+  simulation::run(simulation::read_case(d.case_file, d.fixed), options);
+  const auto summary = nlohmann::ordered_json::parse(text_of(options.folder / "summary.json"));
+  ASSERT_TRUE(r.filter);
+  EXPECT_EQ(r.filter->unchanged_figure, summary["wob_mean_n"]);
+  EXPECT_EQ(r.filter->unchanged_message, "");
+}
+
+/// A factor that the case cannot do without: the sweep continues, and the report states why.
+TEST(Sweep, with_a_filter_states_why_the_unchanged_case_fails) {
+  const fs::path folder = empty_folder("no_unchanged");
+  std::string text = small_hole(
+      "[[factors]]\nkey = \"time.step\"\nvalues = [\"1 ms\"]\n"
+      "[filter]\nfigure = \"imbalance\"\nkeep = 1\nsamples = 0\n");
+  const fs::path own = folder / "case.toml";
+  std::string shipped = text_of(TDBD_SOURCE_DIR "/cases/bit-b-6000psi.toml");
+  shipped.replace(shipped.find("bits/bit-b.toml"), 15, TDBD_SOURCE_DIR "/cases/bits/bit-b.toml");
+  shipped.replace(shipped.find("step = \"1 ms\""), 13, "step = \"-1 ms\"");
+  write_text(own, shipped);
+  const std::string old = TDBD_SOURCE_DIR "/cases/bit-b-6000psi.toml";
+  text.replace(text.find(old), old.size(), own.string());
+  const SweepResult r = swept(design_from(folder, text), folder / "t.nc");
+  EXPECT_TRUE(r.written);
+  EXPECT_EQ(r.failed, 0);
+  ASSERT_TRUE(r.filter);
+  EXPECT_NE(r.filter->unchanged_message.find("time.step"), std::string::npos);
+}
+
+/// The same records as those of a sweep, in the order of the list; found again afterwards.
+TEST(Sweep, runs_a_list_of_points) {
+  const fs::path folder = empty_folder("list");
+  const Design d = design_from(folder, small_top());
+  swept(d, folder / "t.nc");
+  const PointRecords records = read_journals(points_folder(folder / "t.nc"));
+  const std::vector<std::string> keys = point_keys(d, points_of(d));
+  const std::vector<std::vector<std::string>> list{overrides_at(d, points_of(d), 4),
+                                                   overrides_at(d, points_of(d), 1)};
+  const auto found = run_listed(d, list, {folder / "l.nc", {}, 2});
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0]->outcome.figures, records.at(keys[4]).outcome.figures);
+  EXPECT_EQ(found[1]->outcome.figures, records.at(keys[1]).outcome.figures);
+  std::atomic<bool> interrupted = true;
+  SweepOptions options{folder / "l.nc", {}, 1, &interrupted};
+  EXPECT_TRUE(run_listed(d, list, options)[0]);
+  options.table = folder / "other.nc";
+  EXPECT_FALSE(run_listed(d, list, options)[0]);
 }
 
 /// Bitwise identical on one thread and on two, in one process and in three shards.
@@ -241,7 +308,7 @@ TEST(Sweep, reports_progress_in_points_that_are_run) {
   SweepOptions options{folder / "t.nc", {}, 1};
   options.progress = [&told](long done, long total) { told.emplace_back(done, total); };
   run_sweep(d, options);
-  EXPECT_EQ(told, (std::vector<std::pair<long, long>>{{1, 2}, {2, 2}}));
+  EXPECT_EQ(told, (std::vector<std::pair<long, long>>{{1, 4}, {2, 4}, {3, 4}, {4, 4}}));
 }
 
 TEST(Sweep, keeps_a_point_that_fails_with_its_message) {

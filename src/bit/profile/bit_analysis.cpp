@@ -77,6 +77,15 @@ double height(const std::vector<std::vector<RimReach>>& reach, std::size_t c, st
   return std::max(0.0, h);
 }
 
+/// Length of a rim in column i, from its slope between the neighbouring columns that it reaches.
+double rim_length(const std::vector<RimReach>& rim, std::size_t i, double width) {
+  const std::size_t a = i > 0 && rim[i - 1].reached() ? i - 1 : i;
+  const std::size_t b = i + 1 < rim.size() && rim[i + 1].reached() ? i + 1 : i;
+  if (a == b) return width;
+  const double slope = (rim[b].z - rim[a].z) / (static_cast<double>(b - a) * width);
+  return width * std::hypot(1.0, slope);
+}
+
 }  // namespace
 
 Engagement engagement(const std::vector<Cutter>& cutters, double advance, double column_width) {
@@ -86,13 +95,15 @@ Engagement engagement(const std::vector<Cutter>& cutters, double advance, double
   const double width = rims.width;
   const std::size_t columns = reach.front().size();
   Engagement e{std::vector<double>(cutters.size()), std::vector<double>(cutters.size()),
-               std::vector<int>(columns), width};
+               std::vector<double>(cutters.size()), std::vector<int>(columns), width};
   for (std::size_t i = 0; i < columns; ++i)
     for (std::size_t c = 0; c < cutters.size(); ++c) {
       const double h = height(reach, c, i, advance);
       e.area[c] += h * width;
       e.volume[c] += h * width * full_turn * (static_cast<double>(i) + 0.5) * width;
-      e.cutting[i] += h > 0.0;
+      if (!(h > 0.0)) continue;
+      e.edge[c] += rim_length(reach[c], i, width);
+      ++e.cutting[i];
     }
   return e;
 }

@@ -31,6 +31,7 @@ inline constexpr double report_column_width = 0.1e-3;
 struct Engagement {
   std::vector<double> area;    ///< m2, cut area in the (r, z) half-plane
   std::vector<double> volume;  ///< m3 per revolution
+  std::vector<double> edge;    ///< m, length of the rim that cuts, in the (r, z) half-plane
   std::vector<int> cutting;    ///< per column of radius: cutters that remove rock there
   double column_width = 0.0;   ///< m; column k is centred at (k + 1/2) column_width
 };

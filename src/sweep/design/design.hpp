@@ -98,13 +98,18 @@ struct Goal {
 /// Largest number of points that is allowed.
 inline constexpr long most_points = 10'000'000;
 
-/// A filter: the planar model evaluates all points, and only the best ones are run.
+/// A filter: the planar model evaluates all points, and only the best ones are run. The case
+/// without the factors and some of the other points are run too, because the best points alone do
+/// not show whether the filter's values follow the results.
 struct Filter {
-  Goal goal;      ///< a value computed by the command planar
-  long keep = 1;  ///< number of points
+  Goal goal;          ///< a value computed by the command planar
+  long keep = 1;      ///< number of points
+  long samples = -1;  ///< number of others that are run; -1: sample_count
 
   static constexpr TableKey table{
-      "filter", "all points are evaluated with the planar model, and only the best are run"};
+      "filter",
+      "the planar model evaluates all points; the best, some others and the unchanged case are "
+      "run"};
   void visit(FieldVisitor& v) {
     v(goal.figure, {.name = "figure", .need = Need::required, .meaning = "of the command planar"});
     v(goal.sense, {.name = "better",
@@ -114,9 +119,22 @@ struct Filter {
              .need = Need::required,
              .lo = 1,
              .hi = most_points,
-             .meaning = "points that are run"});
+             .meaning = "points that are run: those that the planar model finds best"});
+    v(samples, {.name = "samples",
+                .need = Need::optional,
+                .computed_default = "a third of keep, rounded up",
+                .lo = 0,
+                .hi = most_points,
+                .meaning = "other points that are run, evenly over the ranking, to measure how "
+                           "well the filter follows the results"});
   }
 };
+
+/// Number of points besides the best ones that a filter runs.
+inline long sample_count(const Filter& f) {
+  constexpr long third = 3;
+  return f.samples >= 0 ? f.samples : (f.keep + third - 1) / third;
+}
 
 /// Whether a design has a table [filter].
 enum class HasFilter { no, yes };
@@ -172,7 +190,8 @@ struct Design {
     if (v.when(command == Command::planar || has_filter == HasFilter::yes)) {
       v(normal_ratio, {.name = "normal_ratio",
                        .range = Range::positive(),
-                       .meaning = "normal over cutting force, of the planar model"});
+                       .meaning = "normal over cutting force, of the planar model without "
+                                  "the force law of the case"});
     }
   }
 };

@@ -7,11 +7,8 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
-#include <numeric>
 
 #include "bit/files/bit_file.hpp"
-#include "bit/profile/bit_analysis.hpp"
 #include "bit/report/bit_report.hpp"
 #include "calibration/result/calibrate.hpp"
 #include "core/error.hpp"
@@ -21,6 +18,7 @@
 #include "simulation/rotate/rotate_case.hpp"
 #include "simulation/rotate/rotate_record.hpp"
 #include "simulation/rotate/rotate_run.hpp"
+#include "sweep/point/planar.hpp"
 
 namespace tdbd::sweep {
 namespace {
@@ -214,26 +212,8 @@ std::vector<double> summarize(const Json& summary, const std::vector<std::string
   return figures;
 }
 
-nlohmann::ordered_json planar_summary(const simulation::Case& c, double normal_ratio) {
-  const simulation::Motion& m = c.motion;
-  if (bit::cutting_at_start(c.bit).empty())
-    throw InputError(
-        "bit.file: found a bit without cutters that cut from the start, expected one that the "
-        "planar model knows");
-  if (!(m.rotary_speed > 0.0 && m.rate_of_penetration > 0.0))
-    throw InputError(
-        "motion: found no advance per revolution, expected a rotary speed and a rate of "
-        "penetration");
-  const double advance = 2.0 * std::numbers::pi * m.rate_of_penetration / m.rotary_speed;
-  const std::vector<bit::Cutter> cutters = bit::cutters_at(c.bit, bit::cutting_at_start(c.bit));
-  const bit::Engagement e = bit::engagement(cutters, advance, bit::report_column_width);
-  return {{"advance_m", advance},
-          {"imbalance", bit::planar_imbalance(cutters, e.area, normal_ratio)},
-          {"imbalance_of_unit_law", bit::imbalance(cutters, e.area)},
-          {"mean_redundancy", bit::mean_redundancy(e.cutting)},
-          {"cut_area_m2", std::accumulate(e.area.begin(), e.area.end(), 0.0)},
-          {"largest_cut_area_m2", std::ranges::max(e.area)},
-          {"engaged_cutters", std::ranges::count_if(e.area, [](double a) { return a > 0.0; })}};
+const char* name_of(Steady steady) {
+  return steady == Steady::yes ? "yes" : steady == Steady::no ? "no" : "unknown";
 }
 
 PointOutcome run_point(const Design& d, const Words& overrides, PointSurroundings& around) {
@@ -243,7 +223,10 @@ PointOutcome run_point(const Design& d, const Words& overrides, PointSurrounding
     const Summary summary = summary_of(d, overrides, around);
     ended = true;
     outcome.case_hash = summary.case_hash;
-    outcome.figures = summarize(Json::parse(summary.text), d.figures);
+    const Json json = Json::parse(summary.text);
+    outcome.figures = summarize(json, d.figures);
+    if (const auto steady = json.find("steady"); steady != json.end() && steady->is_boolean())
+      outcome.steady = steady->get<bool>() ? Steady::yes : Steady::no;
   } catch (const std::exception& e) {
     outcome.status = PointStatus::failed;
     outcome.lacks_figures = ended;

@@ -84,6 +84,12 @@ simulation::Simulation start(const simulation::Case& c, Starts& kept, rock::Cutt
 /// Whether a point succeeded.
 enum class PointStatus { done, failed };
 
+/// Whether the means of a run are steady; unknown for summaries that do not state it.
+enum class Steady : signed char { no, yes, unknown };
+
+/// "no", "yes" or "unknown".
+const char* name_of(Steady steady);
+
 /// The result of a point.
 struct PointOutcome {
   PointStatus status = PointStatus::done;
@@ -91,6 +97,7 @@ struct PointOutcome {
   std::string message;          ///< why the point failed
   std::vector<double> figures;  ///< those that the design lists; NaN if the point failed
   bool lacks_figures = false;   ///< the point failed because its summary lacks a listed figure
+  Steady steady = Steady::unknown;
 };
 
 /// What a thread needs at each of its points.
@@ -126,11 +133,5 @@ std::vector<double> summarize(const nlohmann::ordered_json& summary,
 
 /// Returns the names of all numbers, in the order of the summary.
 std::vector<std::string> figure_names(const nlohmann::ordered_json& summary);
-
-/// Evaluates the classical planar model for a case's bit at its advance per revolution, without
-/// drilling: advance_m, imbalance (of normal and cutting forces, relative to the weight),
-/// imbalance_of_unit_law, mean_redundancy, cut_area_m2, largest_cut_area_m2, engaged_cutters. SI.
-/// Throws InputError for a bit without cutters or a motion without an advance.
-nlohmann::ordered_json planar_summary(const simulation::Case& c, double normal_ratio);
 
 }  // namespace tdbd::sweep

@@ -34,6 +34,7 @@ std::string body_of(const std::string& key, const PointRecord& r) {
                   {"case_hash", r.outcome.case_hash},
                   {"message", r.outcome.message},
                   {"figures", figures},
+                  {"steady", static_cast<int>(r.outcome.steady)},
                   {"seconds", r.seconds}};
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -46,6 +47,7 @@ PointRecord record_of(const Json& line) {
   for (const Json& x : line.at("figures"))
     r.outcome.figures.push_back(x.is_null() ? std::numeric_limits<double>::quiet_NaN()
                                             : x.get<double>());
+  r.outcome.steady = static_cast<Steady>(line.value("steady", static_cast<int>(Steady::unknown)));
   r.seconds = line.at("seconds");
   return r;
 }

@@ -106,6 +106,11 @@ void put_outcomes(TableFile& f, const Table& t) {
               column<signed char>(
                   t, [&](std::size_t i) { return static_cast<signed char>(t.on_front[i]); }),
               {0, 1});
+  if (t.states_steadiness)
+    put_flags(f, "steady", "no yes unknown", "whether the means are steady",
+              column<signed char>(
+                  t, [&](std::size_t i) { return static_cast<signed char>(outcome(i).steady); }),
+              {0, 1, 2});
   put_texts(f, "case_hash", "of the resolved case",
             column<std::string>(t, [&](std::size_t i) { return outcome(i).case_hash; }));
   put_texts(f, "message", "why the point failed",
@@ -234,6 +239,8 @@ std::string row_of(const Table& t, std::size_t i) {
   for (std::size_t k = 0; k < t.design->figures.size(); ++k)
     row += "," + (point == nullptr ? "nan" : number_cell(point->outcome.figures[k]));
   if (!t.design->goals.empty()) row += fmt::format(",{}", static_cast<int>(t.on_front[i]));
+  if (t.states_steadiness)
+    row += fmt::format(",{}", name_of(point == nullptr ? Steady::unknown : point->outcome.steady));
   row +=
       fmt::format(",{},{},{}\n", status_of(t, i), point == nullptr ? "" : point->outcome.case_hash,
                   cell(point == nullptr ? "" : point->outcome.message));
@@ -267,32 +274,22 @@ Table table_of(const Design& d, const Points& points, const std::vector<std::str
     const auto found = records.find(keys[static_cast<std::size_t>(i)]);
     const bool left_out = !judged.keeps(static_cast<std::size_t>(i));
     t.points.push_back(found == records.end() || left_out ? nullptr : &found->second);
+    if (t.points.back() != nullptr && t.points.back()->outcome.steady != Steady::unknown)
+      t.states_steadiness = true;
   }
   t.on_front = front_in(t);
   return t;
 }
 
 long done_points(const Table& t) {
-  return std::ranges::count_if(t.points, [](const PointRecord* p) { return p != nullptr; });
+  return std::ranges::count_if(t.points, [](const PointRecord* p) { return p != nullptr; }) +
+         (t.unchanged != nullptr ? 1 : 0);
 }
 
 long points_to_run(const Table& t) {
-  long count = 0;
+  long count = t.design->filter ? 1 : 0;
   for (std::size_t i = 0; i < t.points.size(); ++i) count += t.judged.keeps(i) ? 1 : 0;
   return count;
-}
-
-Judged judged_by(const Filter& filter, std::vector<double> figure) {
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < figure.size(); ++i)
-    if (std::isfinite(figure[i])) order.push_back(i);
-  const double sign = filter.goal.sense == Sense::smaller ? 1.0 : -1.0;
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return sign * figure[i]; });
-  Judged judged{std::move(figure), {}};
-  judged.kept.assign(judged.figure.size(), 0);
-  for (std::size_t k = 0; k < order.size() && k < static_cast<std::size_t>(filter.keep); ++k)
-    judged.kept[order[k]] = 1;
-  return judged;
 }
 
 std::string to_csv(const Table& t) {
@@ -300,8 +297,9 @@ std::string to_csv(const Table& t) {
   for (const FactorColumn& f : t.factors) text += "," + header_of(f);
   if (t.design->filter) text += ",planar." + cell(t.design->filter->goal.figure);
   for (const std::string& figure : t.design->figures) text += "," + cell(figure);
-  text +=
-      t.design->goals.empty() ? ",status,case_hash,message\n" : ",front,status,case_hash,message\n";
+  if (!t.design->goals.empty()) text += ",front";
+  if (t.states_steadiness) text += ",steady";
+  text += ",status,case_hash,message\n";
   for (std::size_t i = 0; i < t.points.size(); ++i) text += row_of(t, i);
   return text;
 }
@@ -313,6 +311,12 @@ void write_table(const fs::path& netcdf_file, const Table& t, const fs::path& ow
   const auto here = [&own_folder](const fs::path& file) { return own_folder / file.filename(); };
   write_text(here(timing), timing_csv(t));
   write_text(here(csv), to_csv(t));
+  if (t.design->filter) {
+    fs::path filter = netcdf_file;
+    filter.replace_filename(filter.stem().string() + "_filter.csv");
+    write_text(here(filter), filter_csv(*t.design, t.judged, t.points, t.unchanged));
+    move(here(filter), filter);
+  }
   write_netcdf(here(netcdf_file), t);
   for (const fs::path& file : {timing, csv, netcdf_file}) move(here(file), file);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sweep/design/design.hpp"
+#include "sweep/table/filter.hpp"
 #include "sweep/table/journal.hpp"
 
 namespace tdbd::sweep {
@@ -21,17 +22,6 @@ struct FactorColumn {
   bool numbers = false;
 };
 
-/// The results of the planar model for the points, and which of them are run.
-struct Judged {
-  std::vector<double> figure;  ///< NaN if it failed; empty: there is no filter
-  std::vector<char> kept;      ///< empty: all are kept
-  bool keeps(std::size_t point) const { return kept.empty() || kept[point] != 0; }
-};
-
-/// Selects the best points of a filter, at most the number that it keeps. Points with equal figures
-/// are selected in their order; points whose figure is not a number are never selected.
-Judged judged_by(const Filter& filter, std::vector<double> figure);
-
 /// All points of a design with their results, in the order of the design.
 struct Table {
   const Design* design = nullptr;
@@ -39,21 +29,27 @@ struct Table {
   std::vector<std::vector<Level>> levels;  ///< of each point
   std::vector<const PointRecord*> points;  ///< null: not completed
   std::vector<char> on_front;              ///< for a design with goals: not dominated
+  bool states_steadiness = false;          ///< a point states whether its means are steady
   Judged judged;                           ///< for a design with a filter
+  const PointRecord* unchanged =
+      nullptr;  ///< the case without the factors, for a design with a filter; null: not completed
 };
 
 /// Returns the table of a design with the points completed so far. The records must outlive it.
 Table table_of(const Design& d, const Points& points, const std::vector<std::string>& keys,
                const PointRecords& records, const Judged& judged = {});
 
-/// The number of completed points, successful or failed; and the number of points to be run.
+/// The number of completed points, successful or failed; and the number of points to be run. Both
+/// include the unchanged case of a filter.
 long done_points(const Table& t);
 long points_to_run(const Table& t);
 
 /// Writes three files. NAME.nc, for xarray, has the dimension point, one variable per factor (named
 /// like its key) and per figure, status, message, case_hash, and front; the goals and the text of
 /// the design are attributes. The bytes depend on design and program only. NAME.csv is the same as
-/// text, and NAME_timing.csv has the seconds of each point. All are written to a folder of this
+/// text, and NAME_timing.csv has the seconds of each point. A design with a filter also has
+/// NAME_filter.csv (filter_csv). If points state whether their means are steady, the table has a
+/// column `steady`. All are written to a folder of this
 /// process on the same disk and then moved, because shards that end at the same time may all write
 /// the table. Throws RunError.
 void write_table(const std::filesystem::path& netcdf_file, const Table& t,

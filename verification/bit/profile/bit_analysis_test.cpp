@@ -110,6 +110,16 @@ TEST(Engagement, of_one_cutter_is_its_width_times_the_advance) {
   EXPECT_NEAR(e.volume[0], 2 * pi * 0.05 * 0.02 * advance, 1e-12 * e.volume[0]);
 }
 
+/// The lower half of its rim cuts, but for the first column at either end, where the rim is upright.
+TEST(Engagement, of_one_cutter_has_half_its_rim_as_edge) {
+  const Engagement e = engagement({flat_cutter(0.3)}, advance, width);
+  EXPECT_NEAR(e.edge[0] / (pi * 0.01), 1.0, 0.06);
+  const Engagement finer = engagement({flat_cutter(0.3)}, advance, 0.1 * width);
+  EXPECT_NEAR(finer.edge[0] / (pi * 0.01), 1.0, 0.02);
+  EXPECT_EQ(engagement({flat_cutter(0.0), flat_cutter(pi, 2.0 * advance)}, advance, width).edge[1],
+            0.0);
+}
+
 /// A cutter a quarter turn behind another takes a quarter of the advance, the other the rest.
 TEST(Engagement, of_two_equal_cutters_is_shared_by_the_angle_before_them) {
   const Engagement e = engagement({flat_cutter(0.0), flat_cutter(pi / 2)}, advance, width);

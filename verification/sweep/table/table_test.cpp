@@ -185,7 +185,7 @@ TEST(TableNetcdf, holds_factors_figures_and_how_points_ended) {
 TEST(TableNetcdf, of_goals_and_a_filter_has_a_front_and_what_was_left_out) {
   Design d = two_by_two();
   d.goals = {{"cost", Sense::smaller}, {"gain", Sense::larger}};
-  d.filter = Filter{{"imbalance", Sense::smaller}, 3};
+  d.filter = Filter{{"imbalance", Sense::smaller}, 3, 0};
   const PointRecords records{
       {"0", record_with(1.0, 3.0)}, {"1", record_with(2.0, 2.0)}, {"3", record_with(9.0, 9.0)}};
   EXPECT_EQ(written("goals", d, records, judged_by(*d.filter, {0.5, 0.25, 0.125, 4.0})),
@@ -304,17 +304,32 @@ TEST(Table, has_a_row_for_each_point) {
 TEST(Table, of_a_filter_has_what_was_judged_and_what_was_left_out) {
   Design d = two_by_two();
   d.goals.clear();
-  d.filter = Filter{{"imbalance", Sense::smaller}, 1};
+  d.filter = Filter{{"imbalance", Sense::smaller}, 1, 0};
   const PointRecords records{{"2", record_with(1.0, 1.0)}, {"3", record_with(2.0, 1.0)}};
   const Table t = table_of(d, points_of(d), {"0", "1", "2", "3"}, records,
                            judged_by(*d.filter, {0.5, 0.25, 0.125, 4.0}));
-  EXPECT_EQ(points_to_run(t), 1);
+  EXPECT_EQ(points_to_run(t), 2);  // with the unchanged case
   EXPECT_EQ(to_csv(t),
             "point,size [mm],kind,planar.imbalance,cost,gain,status,case_hash,message\n"
             "0,1,\"a, b\",0.5,nan,nan,left-out,,\n"
             "1,1,7,0.25,nan,nan,left-out,,\n"
             "2,2,\"a, b\",0.125,1,1,done,h,\n"
             "3,2,7,4,nan,nan,left-out,,\n");
+}
+
+TEST(Table, states_which_means_are_steady_if_any_point_does) {
+  Design d = two_by_two();
+  d.goals.clear();
+  PointRecord steady = record_with(1.0, 1.0), not_steady = record_with(2.0, 2.0);
+  steady.outcome.steady = Steady::yes;
+  not_steady.outcome.steady = Steady::no;
+  const PointRecords records{{"0", steady}, {"1", not_steady}, {"2", record_with(3.0, 3.0)}};
+  EXPECT_EQ(to_csv(table_of(d, points_of(d), {"0", "1", "2", "3"}, records)),
+            "point,size [mm],kind,cost,gain,steady,status,case_hash,message\n"
+            "0,1,\"a, b\",1,1,yes,done,h,\n"
+            "1,1,7,2,2,no,done,h,\n"
+            "2,2,\"a, b\",3,3,unknown,done,h,\n"
+            "3,2,7,nan,nan,unknown,missing,,\n");
 }
 
 /// The first point of Sobol is the middle.
@@ -326,21 +341,6 @@ TEST(Table, has_sampled_factors_as_numbers) {
   d.samples = 1;
   EXPECT_EQ(to_csv(table_of(d, points_of(d), {"0"}, {})),
             "point,size [mm],cost,status,case_hash,message\n0,1.5,nan,missing,,\n");
-}
-
-/// The best ones, the first of equal ones, never a NaN; larger is better if the design specifies
-/// it.
-TEST(Judged, keeps_the_best) {
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<double> figure{3.0, none, 1.0, 2.0, 1.0};
-  const auto kept = [&](Sense sense, long keep) {
-    return judged_by({{"x", sense}, keep}, figure).kept;
-  };
-  EXPECT_EQ(kept(Sense::smaller, 1), (std::vector<char>{0, 0, 1, 0, 0}));
-  EXPECT_EQ(kept(Sense::smaller, 3), (std::vector<char>{0, 0, 1, 1, 1}));
-  EXPECT_EQ(kept(Sense::larger, 2), (std::vector<char>{1, 0, 0, 1, 0}));
-  EXPECT_EQ(kept(Sense::smaller, 9), (std::vector<char>{1, 0, 1, 1, 1}));
-  EXPECT_TRUE(Judged{}.keeps(7));
 }
 
 }  // namespace tdbd::sweep::table_test
