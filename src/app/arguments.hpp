@@ -4,11 +4,12 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/terminal.hpp"
-#include "core/config/field.hpp"
+#include "core/config/key_table.hpp"
 #include "io/output_folder.hpp"
 #include "simulation/case/run_settings.hpp"
 
@@ -33,6 +34,17 @@ std::optional<std::string> requested_page(const CLI::App& app,
 /// result), `help COMMAND` means `COMMAND --help`. Throws InputError with the closest command if
 /// the first word is not a command.
 std::vector<std::string> parsed_words(const CLI::App& app, std::vector<std::string> words);
+
+/// The largest number of lines that a search for keys prints.
+inline constexpr std::size_t most_search_lines = 60;
+
+/// Searches tables of keys for words. A key is found if each word, without regard to case and to
+/// the difference between "_", "-" and a blank, occurs in the name of the key, the name of its
+/// table, its meaning or its allowed values. Returns the text for a terminal, at most
+/// most_search_lines lines: first the keys that have all words in their name or that of their
+/// table, then the others, then tables whose meaning alone has the words. Throws InputError with
+/// the nearest words that occur if nothing is found.
+std::string keys_about(std::span<const KeyTable> tables, const std::string& words);
 
 /// Message for words that CLI11 rejected: found, expected.
 std::string mistake(const CLI::ParseError& error);

@@ -194,7 +194,7 @@ constexpr const char* markdown_head_of_designs =
 
 struct KeysArguments {
   std::string table;
-  bool markdown = false, design = false;
+  bool markdown = false, design = false, search = false;
 };
 
 std::vector<KeyTable> tables_of_cases() {
@@ -205,8 +205,25 @@ std::vector<KeyTable> tables_of_cases() {
   return tables;
 }
 
+/// Searches all tables, or those of a design.
+int print_search(const KeysArguments& a) {
+  std::vector<KeyTable> tables = a.design ? std::vector<KeyTable>() : tables_of_cases();
+  const std::vector<KeyTable> design = sweep::design_tables();
+  tables.insert(tables.end(), design.begin(), design.end());
+  print_out("{}", keys_about(tables, a.table));
+  return 0;
+}
+
+/// Whether a table has the name that is given.
+bool names_table(const std::vector<KeyTable>& tables, const std::string& name) {
+  return std::ranges::any_of(
+      tables, [&](const KeyTable& t) { return t.name == name || t.name.starts_with(name + "."); });
+}
+
 int print_keys(const KeysArguments& a) {
   std::vector<KeyTable> tables = a.design ? sweep::design_tables() : tables_of_cases();
+  if (!a.table.empty() && !a.markdown && (a.search || !names_table(tables, a.table)))
+    return print_search(a);
   if (!a.table.empty())
     tables = tables_named(tables, a.table, a.design ? "tdbd keys --design" : "tdbd keys");
   if (a.markdown)
@@ -227,11 +244,17 @@ void add_keys(CLI::App& app, int& exit_code) {
   auto a = std::make_shared<KeysArguments>();
   command
       ->add_option("table", a->table,
-                   "name of a table, such as motion; includes its subtables; default: all")
-      ->type_name("TABLE");
+                   "name of a table, such as motion, with its subtables; or words, such as "
+                   "\"weight\": all keys of cases, bits and designs that have them in their name "
+                   "or meaning; default: all tables")
+      ->type_name("TABLE|WORDS");
+  command->add_flag("--search", a->search, "search for the words even if a table has that name");
   command->add_flag("--design", a->design, "the keys of a sweep's design instead");
   command->add_flag("--markdown", a->markdown, "as Markdown");
-  command->footer("cutter-table: the columns of a cutter table.\nExample: tdbd keys motion");
+  command->footer(
+      "cutter-table: the columns of a cutter table. A search prints at most 60 lines.
+"
+      "Example: tdbd keys weight");
   command->callback([a, &exit_code] { exit_code = guarded([&] { return print_keys(*a); }); });
 }
 

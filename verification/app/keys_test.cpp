@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "app/case_folder.hpp"
 
 namespace tdbd::app::keys_test {
@@ -29,17 +31,41 @@ TEST(KeysCommand, prints_one_table_with_those_inside_it) {
   EXPECT_TRUE(has(o.out, "\"steady\"")) << o.out;
 }
 
-TEST(KeysCommand, suggests_the_nearest_table) {
-  expect_refusal(battery::run_tdbd({"keys", "motoin"}), "TABLE: found \"motoin\", expected motion");
-  expect_refusal(battery::run_tdbd({"keys", "zzz"}),
-                 "TABLE: found \"zzz\", expected a table that `tdbd keys` lists");
-  for (const std::string design : {"", "--design"}) {
-    std::vector<std::string> words{"keys", "x"};
-    if (!design.empty()) words.push_back(design);
-    expect_refusal(battery::run_tdbd(words),
-                   "TABLE: found \"x\", expected a table that `tdbd keys" +
-                       (design.empty() ? "" : " " + design) + "` lists");
-  }
+TEST(KeysCommand, suggests_the_nearest_words) {
+  expect_refusal(battery::run_tdbd({"keys", "motoin"}),
+                 "WORD: found \"motoin\", expected a table, or a word of a key or of its meaning, "
+                 "such as motion, motor");
+  expect_refusal(battery::run_tdbd({"keys", "qqqq"}),
+                 "WORD: found \"qqqq\", expected a table, or a word of a key or of its meaning");
+  expect_refusal(battery::run_tdbd({"keys", "edge_length weight_on_bit"}),
+                 "WORD: found \"edge_length weight_on_bit\", expected words that one key has; try "
+                 "fewer");
+  expect_refusal(battery::run_tdbd({"keys", "motoin", "--markdown"}),
+                 "TABLE: found \"motoin\", expected motion");
+}
+
+/// Keys of cases, bit files, calibrations and designs, whatever the spelling; the keys that have the
+/// word in their name first.
+TEST(KeysCommand, searches_the_keys_of_all_files) {
+  const battery::Outcome o = battery::run_tdbd({"keys", "back rake"});
+  EXPECT_EQ(o.exit_code, 0);
+  EXPECT_TRUE(has(o.out, "of tdbd bit: ")) << o.out;
+  EXPECT_TRUE(has(o.out, "  back_rake")) << o.out;
+  EXPECT_EQ(battery::run_tdbd({"keys", "BACK-rake"}).out, o.out);
+  EXPECT_TRUE(has(battery::run_tdbd({"keys", "normal ratio"}).out, "[sweep] of tdbd sweep"));
+  EXPECT_TRUE(has(battery::run_tdbd({"keys", "unconfined"}).out, "of tdbd calibrate"));
+  const battery::Outcome weight = battery::run_tdbd({"keys", "weight on bit"});
+  EXPECT_EQ(weight.out.rfind("[motion] of tdbd run: ", 0), 0u) << weight.out;
+  EXPECT_TRUE(has(weight.out, "  weight_on_bit  N  in place of rate_of_penetration  "))
+      << weight.out;
+}
+
+TEST(KeysCommand, prints_at_most_60_lines_of_a_search) {
+  const battery::Outcome o = battery::run_tdbd({"keys", "of"});
+  EXPECT_EQ(std::ranges::count(o.out, '\n'), 60) << o.out;
+  EXPECT_TRUE(has(o.out, " more lines; add a word to the search\n"));
+  EXPECT_EQ(battery::run_tdbd({"keys", "motion"}).out.rfind("[motion] of tdbd run: ", 0), 0u);
+  EXPECT_TRUE(has(battery::run_tdbd({"keys", "motion", "--search"}).out, "[motion.whirl]"));
 }
 
 /// `tdbd keys --markdown > src/simulation/case/KEYS.md` makes it right again.
@@ -66,8 +92,10 @@ TEST(KeysCommand, prints_the_tables_of_designs_alone) {
   const battery::Outcome one = battery::run_tdbd({"keys", "--design", "filter"});
   EXPECT_EQ(one.out.rfind("[filter] of tdbd sweep: ", 0), 0u) << one.out;
   EXPECT_FALSE(has(one.out, "[sweep]")) << one.out;
-  expect_refusal(battery::run_tdbd({"keys", "--design", "rock"}),
-                 "TABLE: found \"rock\", expected a table that `tdbd keys --design` lists");
+  const battery::Outcome rock = battery::run_tdbd({"keys", "--design", "rock"});
+  EXPECT_EQ(rock.exit_code, 2);
+  EXPECT_TRUE(has(rock.err, "tdbd: WORD: found \"rock\", expected a table, or a word of"))
+      << rock.err;
 }
 
 /// Also where a file names its own keys.
