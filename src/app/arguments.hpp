@@ -71,6 +71,7 @@ void add_bit(CLI::App& app, int& exit_code);
 void add_laboratory(CLI::App& app, int& exit_code);
 void add_new(CLI::App& app, int& exit_code);
 void add_sweep(CLI::App& app, int& exit_code);
+void add_curve(CLI::App& app, int& exit_code);
 void add_mesh(CLI::App& app, int& exit_code);
 
 /// Runs the body of a command and returns its exit code: 2 after an InputError or an invalid path,

@@ -95,6 +95,7 @@ int main(int argc, char** argv) {
   tdbd::app::add_bit(app, exit_code);
   tdbd::app::add_laboratory(app, exit_code);
   tdbd::app::add_sweep(app, exit_code);
+  tdbd::app::add_curve(app, exit_code);
   tdbd::app::add_mesh(app, exit_code);
   const int code = tdbd::app::guarded(
       [&] { return dispatch(app, exit_code, std::vector<std::string>(argv + 1, argv + argc)); });

@@ -31,7 +31,7 @@ SUB_FOLDERS = {
     "string": (".",),
     "simulation": ("case", "start", "step", "result", "rotate", "chain", "study"),
     "calibration": ("record", "case", "cuts", "fit", "predict", "result", "laboratory"),
-    "sweep": ("design", "point", "table", "."),
+    "sweep": ("design", "point", "table", ".", "curve"),
     "app": (".",),
 }
 # A slow twin may use plain data of src, never the function it is the twin of.
