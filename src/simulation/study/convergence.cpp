@@ -135,7 +135,8 @@ bool add_level(Convergence& c, const ConvergenceStart& first, int i, std::option
   try {
     LevelOutcome o = run_level(c.plan.case_file, overrides, i + 1, options);
     if (o.status == RunStatus::interrupted) return false;
-    c.levels.push_back({used_sizes(c.plan, sizes, o.step), o.steps, std::move(o.end), {}});
+    c.levels.push_back(
+        {used_sizes(c.plan, sizes, o.step), o.steps, std::move(o.end), {}, o.evaluations});
     if (last && o.hole) c.levels.back().moved = difference(*last, *o.hole);
     last = std::move(o.hole);
   } catch (const RunError& e) {

@@ -65,10 +65,10 @@ Json levels_json(const Convergence& c) {
   for (const ConvergenceLevel& level : c.levels) {
     Json state = Json::object();
     for (const StateVariable& v : level.end.variables) state[v.name] = v.values;
-    levels.push_back({{"size", level.sizes.front()},
-                      {"sizes", level.sizes},
-                      {"steps", level.steps},
-                      {"state", state}});
+    Json one{{"size", level.sizes.front()}, {"sizes", level.sizes}, {"steps", level.steps}};
+    if (level.evaluations > 0) one["torque_evaluations"] = level.evaluations;
+    one["state"] = state;
+    levels.push_back(one);
   }
   return levels;
 }

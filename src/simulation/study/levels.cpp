@@ -70,11 +70,9 @@ LevelOutcome rotate_level(const std::string& file, const std::vector<std::string
   RotateSimulation s = start(c);
   RotateSteps steps(c, s);
   const RunStatus status = run_loop(steps, options);
-  return {status,
-          c.time.step,
-          s.steps_done,
-          read_end_state(summary_json(c, s, status), this_level),
-          {}};
+  return {status,       c.time.step,
+          s.steps_done, read_end_state(summary_json(c, s, status), this_level),
+          {},           s.rotating.evaluations};
 }
 
 LevelOutcome drill_level(const std::string& file, const std::vector<std::string>& overrides,
@@ -90,9 +88,12 @@ LevelOutcome drill_level(const std::string& file, const std::vector<std::string>
   Simulation s = start(c);
   DrillingSteps steps(c, s);
   const RunStatus status = run_loop(steps, options);
-  LevelOutcome level{status, c.time.step, s.state.steps_done,
+  LevelOutcome level{status,
+                     c.time.step,
+                     s.state.steps_done,
                      read_end_state(to_json(summary_of(c, s, status)), this_level),
-                     hole_of(s.state.rock)};
+                     hole_of(s.state.rock),
+                     0};
   if (s.state.drive) add_motion(s.state.drive->state, level.end);
   return level;
 }

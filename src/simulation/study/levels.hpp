@@ -47,6 +47,7 @@ struct LevelOutcome {
   long steps = 0;
   EndState end;
   std::optional<Hole> hole;  ///< for a drilling case
+  long evaluations = 0;      ///< torque evaluations, for a rotation
 };
 
 /// Runs a case in memory, either a rotate case or a run. `number` is that of the level, for the

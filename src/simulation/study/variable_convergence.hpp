@@ -45,6 +45,7 @@ struct ConvergenceLevel {
   long steps = 0;
   EndState end;
   std::optional<HoleDifference> moved;  ///< relative to the hole of the previous level
+  long evaluations = 0;                 ///< torque evaluations, for a rotation
 };
 
 /// Convergence of one variable.
