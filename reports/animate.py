@@ -3,7 +3,7 @@
 
     reports/animate.py RESULT_FOLDER OUT.gif [--pixels 400] [--seconds 5]
 
-Needs rock.pvd with its frames and bit_poses.csv: run with --set output.frames_every=STEPS.
+Needs rock.pvd with its frames and bit_poses.csv: run with --set output.frames_every=STEPS. `tdbd draw FOLDER --gif OUT.gif` calls it.
 """
 
 import argparse
@@ -20,6 +20,7 @@ from matplotlib.font_manager import findfont
 from PIL import Image, ImageDraw, ImageFont
 
 from figures import bit_motion, hole_pictures, render, results, rock_data, rock_scene
+from progress import Progress
 
 COLOURS = 64  # of the whole picture: a GIF has 256 at most, and fewer are smaller
 INK = (29, 39, 51)
@@ -62,7 +63,7 @@ def animate(folder, out, pixels=400, seconds=5.0):
     rest = bit_motion.at_rest(rock_data.final(folder, "bit"), made[-1][2])
     norm, camera = Normalize(*depths), camera_of(bit_motion.placed(*rest, made[0][2]), made[-1], pixels)
     images = []
-    for time, rock, poses in made:
+    for time, rock, poses in Progress("animate", len(made), "frame").over(made, lambda frame: f"t = {frame[0]:.3g} s"):
         words = (f"{run['title']}: {run['revolutions'] * time / run['duration_s']:.1f} revolutions\n"
                  f"depth z: yellow {depths[0]:.0f} mm and less, blue {depths[1]:.0f} mm")
         images.append(picture(rock_data.read(rock), bit_motion.placed(*rest, poses), camera, norm, words))

@@ -1,272 +1,124 @@
 #!/usr/bin/python3
-"""Draws a TDBD result folder, of tdbd run, tdbd string or tdbd converge.
+"""Draws a result of TDBD. `tdbd draw` calls this script.
 
-    reports/draw.py RESULT_FOLDER [-o DIR]
+    reports/draw.py RESULT ... [-o DIR] [--gif FILE]
 
-Of a run: bottom_hole.png and side_view.png (from frames/rock_final.vtp and summary.json), cutters.png (also
-from bit.json); with forces: forces.png shows those of every cutter, traces.png weight, torque and speed over
-time with their spectra. Of a drill string: torque_and_drag.png, broomstick.png, modes.png, and of a run traces.png
-and time_depth.png. Of a study of convergence: convergence.png (from convergence.json).
+Of a run: bit.png, bottom_hole.png, side_view.png, cutters.png, forces.png (with forces), traces.png. Of a rotation: motion.png, path.png,
+conservation.png. Of a drill string: torque_and_drag.png, broomstick.png, modes.png, and of a run traces.png and time_depth.png. Of a
+convergence study: convergence.png, and of a rotation work_precision.png. Of a calibration: coefficients.png, predictions.png. Of the
+table of a sweep: the pictures of sweep.py. Several folders of rotations or of their convergence studies: one work_precision.png.
+Exit code 2 and a message for anything else.
 """
 
 import argparse
+import importlib.util
+import subprocess
+import sys
 from pathlib import Path
 
 import system_python
 
-system_python.require("matplotlib", "numpy")
+system_python.require("matplotlib", "numpy", "netCDF4")
 
 import matplotlib
 
 matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-import numpy as np
-from matplotlib.cm import ScalarMappable
-from matplotlib.collections import PolyCollection
-from matplotlib.colors import Normalize
 
-import result
-from figures import rock_data
+import result_kind
+import result_pictures
+from progress import Progress
+from result_kind import NoResult
 
-MM = 1e3
-COLOURS = plt.get_cmap("Spectral")
-ZONES = {"cone": "#1b6ca8", "nose": "#2a9d5c", "shoulder": "#d98e04", "gage": "#b3382c"}
-ABOVE = {"eye": np.array([0.0, 0.0, -1.0]), "light": np.array([-0.5, -0.5, -0.7])}
-CUT = {"eye": np.array([0.0, 1.0, 0.0]), "light": np.array([-0.4, 0.5, -0.75])}
-BOTTOM = 0.35  # a triangle belongs to the bottom, not to the wall, when |normal z| is above
-plt.rcParams.update({"font.size": 9, "axes.titlesize": 10, "savefig.dpi": 200})
+HERE = Path(__file__).resolve().parent
+INSTEAD = {"bit": "tdbd report FOLDER makes its page", "models": "its tables are comparison.csv and comparison.nc in the folder"}
 
 
-def normals(surface, eye):
-    """Unit normals of triangles, turned towards the eye."""
-    n = surface.normals
-    return np.where((n @ eye)[:, None] < 0.0, -n, n)
+def draw_sweep(table, output):
+    """The pictures of sweep.py, which prints their names."""
+    words = [sys.executable, "-B", str(HERE / "sweep.py"), str(table), *(["-o", str(output)] if output else [])]
+    if subprocess.run(words, check=False).returncode:
+        raise NoResult(f"{table}: the table was not drawn")
 
 
-def on_bottom(surface):
-    """Triangles of the bottom, as opposed to the wall of the hole."""
-    return normals(surface, ABOVE["eye"])[:, 2] < -BOTTOM
+def draw_curve(folder, output):
+    if importlib.util.find_spec("curve") is None:
+        raise NoResult(f"{folder}: found a curve, which this version cannot draw; its numbers are in {folder}/curve.json")
+    import curve
+
+    curve.draw_curve(folder, output)
 
 
-def relief(surface, view):
-    """Light on each triangle, 0 to 1, stretched to the contrast that the bottom has."""
-    lit = normals(surface, view["eye"]) @ view["light"]
-    low, high = np.percentile(lit[on_bottom(surface)], [1.0, 99.0])
-    return ((lit - low) / max(high - low, 1e-12)).clip(0.0, 1.0)
-
-
-def shaded_colours(surface, norm, view):
-    """Depth in colour, darker in the shade and paler in the light."""
-    colours = COLOURS(norm(MM * surface.of_triangles("depth_m")))
-    shade = relief(surface, view)[:, None]
-    rgb = colours[:, :3]
-    dark, pale = rgb * (0.35 + 1.3 * shade), rgb + (1.0 - rgb) * (shade - 0.5)
-    colours[:, :3] = np.where(shade < 0.5, dark, pale).clip(0.0, 1.0)
-    return colours
-
-
-def depth_scale(surface):
-    """Colours span the depths of the bottom; the wall above has the end colour."""
-    depth = MM * surface.of_triangles("depth_m")[on_bottom(surface)]
-    return Normalize(*np.percentile(depth, [0.5, 100.0]))
-
-
-def draw_triangles(ax, polygons, colours, order, edge="face", width=0.3):
-    """Paints polygons back to front."""
-    edges = colours[order] if isinstance(edge, str) and edge == "face" else edge
-    ax.add_collection(
-        PolyCollection(polygons[order], facecolors=colours[order], edgecolors=edges,
-                       linewidths=width, rasterized=True)
-    )
-
-
-def add_depth_bar(figure, ax, norm):
-    """The scale of depth, deeper downwards; the arrow marks the wall above."""
-    bar = figure.colorbar(ScalarMappable(norm, COLOURS), ax=ax, shrink=0.8, pad=0.03, extend="min")
-    bar.set_label("depth z (mm), down")
-    bar.ax.invert_yaxis()
-
-
-def caption(summary):
-    """One line that names the run; every number comes from the summary."""
-    name = summary.get("title") or "TDBD run"
-    return f"{name}: {summary['revolutions']:.4g} revolutions, {summary['steps']} steps"
-
-
-def sign(figure, summary):
-    """Small print: what made the numbers."""
-    origin = f"tdbd {summary.get('version', '?')} {summary.get('commit', '?')}"
-    figure.text(0.995, 0.005, f"{origin}, case {str(summary.get('case_hash', '?'))[:12]}",
-                ha="right", va="bottom", fontsize=6, color="0.5")
-
-
-def bottom_hole(surface, summary, path):
-    """The pattern seen from above the hole along +z: x to the right, hence y down the page."""
-    figure, ax = plt.subplots(figsize=(8.0, 6.8), constrained_layout=True)
-    norm = depth_scale(surface)
-    polygons = MM * surface.corners[:, :, :2]
-    colours = shaded_colours(surface, norm, ABOVE)
-    draw_triangles(ax, polygons, colours, order=np.argsort(-surface.of_triangles("depth_m")))
-    radius = 1.03 * MM * np.abs(surface.points[:, :2]).max()
-    ax.set(xlim=(-radius, radius), ylim=(radius, -radius), aspect="equal",
-           xlabel="x (mm)", ylabel="y (mm)",
-           title=f"Bottom hole from above\n{caption(summary)}")
-    add_depth_bar(figure, ax, norm)
-    finish(figure, summary, path)
-
-
-def mesh_detail(ax, surface, norm):
-    """Some 20 triangles' width of the mesh from above, half way out along -y."""
-    corners = MM * surface.corners
-    bottom = on_bottom(surface)
-    edge = np.median(np.linalg.norm(corners[bottom, 1] - corners[bottom, 0], axis=1))
-    y = -0.5 * np.abs(corners[:, :, 1]).max()
-    draw_triangles(ax, corners[:, :, :2], shaded_colours(surface, norm, ABOVE),
-                   np.argsort(-surface.of_triangles("depth_m")), edge=(0, 0, 0, 0.8), width=0.4)
-    half = 10.0 * edge
-    ax.set(xlim=(-half, half), ylim=(y + half, y - half), aspect="equal", xlabel="x (mm)",
-           ylabel="y (mm)", title="Mesh from above")
-
-
-def side_view(surface, summary, path):
-    """The half y < 0, seen along -y from the cut: x to the right, z down; and the mesh of a detail."""
-    keep = surface.corners[:, :, 1].max(axis=1) <= 1e-9
-    half = rock_data.Mesh(surface.points, surface.triangles[keep], surface.point_values)
-    figure, (ax, detail) = plt.subplots(1, 2, figsize=(11.0, 4.6), constrained_layout=True,
-                                        gridspec_kw={"width_ratios": [2.0, 1.0]})
-    norm = depth_scale(surface)
-    order = np.argsort(half.corners[:, :, 1].mean(axis=1))
-    draw_triangles(ax, MM * half.corners[:, :, [0, 2]], shaded_colours(half, norm, CUT), order,
-                   edge=(0, 0, 0, 0.35), width=0.12)
-    ax.set(aspect="equal", xlabel="x (mm)", ylabel="z (mm)",
-           title=f"Half of the hole, cut at y = 0\n{caption(summary)}")
-    ax.autoscale_view()
-    ax.invert_yaxis()
-    mesh_detail(detail, surface, norm)
-    add_depth_bar(figure, detail, norm)
-    finish(figure, summary, path)
-
-
-BAR = 0.6  # mm: narrower than the cutters' spacing on the shoulder
-
-
-def same_radius(cutters):
-    """Runs of cutters (they are sorted) at the same tip radius, as those at the gage are."""
-    runs = []
-    for i, cutter in enumerate(cutters):
-        if runs and MM * (cutter.tip_radius - cutters[runs[-1][0]].tip_radius) < 0.01:
-            runs[-1].append(i)
-        else:
-            runs.append([i])
-    return runs
-
-
-def number(cutter):
-    return cutter.name.rsplit("-", 1)[-1]
-
-
-def draw_bars(ax, cutters, values, label):
-    """A bar for each cutter at its tip radius, coloured by zone, with its number; cutters at one
-    radius stand on each other."""
-    for run in same_radius(cutters):
-        place, top = MM * cutters[run[0]].tip_radius, 0.0
-        for i in run:
-            ax.bar(place, values[i], BAR, bottom=top, color=ZONES.get(cutters[i].zone, "0.5"),
-                   edgecolor="white", linewidth=0.2)
-            top += values[i]
-        text = number(cutters[run[0]]) + (f"-{number(cutters[run[-1]])}" if run[1:] else "")
-        ax.annotate(text, (place, top), xytext=(2.0, 0.0), textcoords="offset points", ha="left",
-                    va="bottom" if top > 0.1 * max(values) else "center", fontsize=6, color="0.3")
-    ax.set_ylabel(label)
-    ax.grid(axis="y", color="0.9")
-    ax.set_axisbelow(True)
-    ax.spines[["top", "right"]].set_visible(False)
-
-
-def cutter_bars(cutters, summary, path):
-    """What each cutter removed in the last full revolution, and its mean cut area V / (2 pi r)."""
-    last = max(result.full_revolutions(summary), 1)
-    volumes = np.array([c.volumes[last - 1] if len(c.volumes) >= last else 0.0 for c in cutters])
-    areas = volumes / (2.0 * np.pi * np.array([max(c.tip_radius, 1e-9) for c in cutters]))
-    figure, (top, bottom) = plt.subplots(2, 1, figsize=(8.0, 6.0), sharex=True,
-                                         constrained_layout=True)
-    draw_bars(top, cutters, MM**3 * volumes, "volume per revolution (mm$^3$)")
-    draw_bars(bottom, cutters, MM**2 * areas, "mean cut area (mm$^2$)")
-    bottom.set_xlabel("tip radius (mm)")
-    top.set_title(f"Cutters in revolution {last}\n{caption(summary)}")
-    zones = [z for z in ZONES if any(c.zone == z for c in cutters)]
-    top.legend([plt.Rectangle((0, 0), 1, 1, color=ZONES[z]) for z in zones], zones,
-               frameon=False, ncol=4, loc="upper left")
-    top.margins(y=0.22)
-    finish(figure, summary, path)
-
-
-def finish(figure, summary, path):
-    """Signs and saves a figure, with nothing in the file that depends on the date."""
-    sign(figure, summary)
-    figure.savefig(path, metadata={"Software": None})
-    plt.close(figure)
-    print(path)
-
-
-def force_pictures(folder, summary, output):
-    """Forces of the cutters, if the bit has some, and the traces of the run."""
-    from figures import drilling  # here: their style is not this file's
-
-    if any(part["name"].startswith("cutter-") for part in summary["forces"]):
-        finish(drilling.draw_summary(summary), summary, output / "forces.png")
-    words = summary.get("diagnosis", {}).get("text", "at a given rate of penetration")
-    finish(drilling.draw_folder(folder, f"{caption(summary)}\n{words}"), summary, output / "traces.png")
-
-
-def run_pictures(folder, output):
-    """All pictures of a result of tdbd run."""
-    summary = result.read_json(folder / "summary.json")
-    surface = result.read_surface(folder / "frames" / "rock_final.vtp")
-    bottom_hole(surface, summary, output / "bottom_hole.png")
-    side_view(surface, summary, output / "side_view.png")
-    if (folder / "bit.json").is_file():
-        cutter_bars(result.read_cutters(folder, summary), summary, output / "cutters.png")
-    if "forces" in summary:
-        force_pictures(folder, summary, output)
-
-
-def study_picture(folder, output):
-    """The errors of a study of tdbd converge."""
-    from figures import convergence
-
-    study = result.read_json(folder / "convergence.json")
-    finish(convergence.draw_folder(folder), study, output / "convergence.png")
-
-
-def string_pictures(folder, output):
-    """All pictures of a result of tdbd string."""
-    from figures import string_pictures as pictures
-
-    figures, summary = pictures.pictures(folder)
-    for name, figure in figures.items():
-        finish(figure, summary, output / f"{name}.png")
-
-
-def is_of_string(folder):
-    summary = folder / "summary.json"
-    return summary.is_file() and result.read_json(summary).get("command") == "string"
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folder", type=Path, help="result folder of tdbd run, tdbd string or tdbd converge")
-    parser.add_argument("-o", "--output", type=Path, help="where figures go (the result folder)")
-    arguments = parser.parse_args()
-    output = arguments.output or arguments.folder
+def save_all(pictures, summary, output):
+    """Saves pictures one after another and prints their names."""
     output.mkdir(parents=True, exist_ok=True)
-    if (arguments.folder / "convergence.json").is_file():
-        study_picture(arguments.folder, output)
-    elif is_of_string(arguments.folder):
-        string_pictures(arguments.folder, output)
-    else:
-        run_pictures(arguments.folder, output)
+    for picture in Progress("draw", len(pictures), "picture").over(pictures, lambda p: p.name):
+        path = output / f"{picture.name}.png"
+        result_pictures.save(picture, summary, path)
+        print(path, flush=True)
+
+
+def draw_one(path, output):
+    """All pictures of one result. Raises NoResult."""
+    kind = result_kind.kind_of(path)
+    if kind == "sweep":
+        return draw_sweep(path, output)
+    if kind == "curve":
+        return draw_curve(path, output or path)
+    if kind not in result_pictures.DRAWN:
+        raise NoResult(f"{path}: found {result_kind.NAMES[kind]}, of which there are no pictures; {INSTEAD[kind]}")
+    summary, pictures = result_pictures.of_folder(path, kind)
+    return save_all(pictures, summary, output or path)
+
+
+def draw_together(paths, output):
+    """A work-precision diagram of several rotations or studies of rotations. Raises NoResult."""
+    from figures import work_precision
+
+    kinds = {path: result_kind.kind_of(path) for path in paths}
+    for path, kind in kinds.items():
+        if kind not in ("rotation", "convergence") or kind != kinds[paths[0]]:
+            raise NoResult(f"{path}: found {result_kind.NAMES[kind]}, expected several rotations or several convergence studies of rotations "
+                           "(one work-precision diagram), or one result")
+    summary = result_kind.read(paths[0] / ("summary.json" if kinds[paths[0]] == "rotation" else "convergence.json"))
+    make = work_precision.of_runs if kinds[paths[0]] == "rotation" else work_precision.of_studies
+    save_all([result_pictures.Picture("work_precision", "Work and precision", "", lambda: make(paths))], summary, output or Path())
+
+
+def check_gif(paths):
+    """Raises NoResult unless there is one run, before anything is drawn."""
+    if len(paths) > 1:
+        raise NoResult(f"--gif: found {len(paths)} results, expected one run")
+    result_kind.demand(paths[0], ("run",))
+
+
+def draw_gif(path, gif):
+    import animate
+
+    animate.animate(path, gif)
+    print(gif)
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("results", type=Path, nargs="+", help="result folders, or the table of a sweep (NAME.nc)")
+    parser.add_argument("-o", "--output", type=Path, help="folder of the pictures (the result folder)")
+    parser.add_argument("--gif", type=Path, help="also an animation of a run with frames")
+    chosen = parser.parse_args(arguments)
+    try:
+        if chosen.gif:
+            check_gif(chosen.results)
+        if len(chosen.results) == 1:
+            draw_one(chosen.results[0], chosen.output)
+        else:
+            draw_together(chosen.results, chosen.output)
+        if chosen.gif:
+            draw_gif(chosen.results[0], chosen.gif)
+    except (OSError, LookupError, ValueError) as error:
+        print(f"draw: {error if isinstance(error, (OSError, ValueError)) else f'{chosen.results[0]}: found a result without {error}'}",
+              file=sys.stderr)
+        return 2
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main(sys.argv[1:]))

@@ -21,18 +21,16 @@ class Cutter:
 
 
 def read_surface(path):
-    """The surface of the rock in a .vtp file. If the file has no depth_m, it is set to z."""
-    try:
-        surface = rock_data.read(path)
-    except ValueError as error:
-        raise SystemExit(str(error)) from error
+    """The surface of the rock in a .vtp file. If the file has no depth_m, it is set to z. Raises ValueError."""
+    surface = rock_data.read(path)
     surface.point_values.setdefault("depth_m", surface.points[:, 2])
     return surface
 
 
 def read_json(path):
+    """Raises ValueError if there is no such file."""
     if not path.is_file():
-        raise SystemExit(f"{path}: no such file")
+        raise ValueError(f"{path}: found no such file, expected one that tdbd writes")
     return json.loads(path.read_text())
 
 
@@ -43,9 +41,9 @@ def full_revolutions(summary):
 
 def read_cutters(folder, summary):
     """The cutters of bit.json, sorted by tip radius, each with the sum of the volumes of its parts."""
-    volumes = summary["removed_volume_by_part_by_revolution_m3"]
+    volumes = summary.get("removed_volume_by_part_by_revolution_m3", {})
     cutters = []
-    for row in read_json(Path(folder) / "bit.json")["cutters"]:
+    for row in read_json(Path(folder) / "bit.json").get("cutters", []):
         own = [v for part, v in volumes.items() if part.split("/")[0] == row["name"]]
         total = np.sum(own, axis=0) if own else np.zeros(0)
         cutters.append(

@@ -17,4 +17,6 @@ def require(*modules):
         os.environ[MARK] = "1"
         sys.stdout.flush()
         os.execv(PYTHON, [PYTHON, *sys.argv])
-    sys.exit(f"{sys.argv[0]}: found a python without {', '.join(missing)} ({sys.executable}), expected {PYTHON} after bash scripts/setup")
+    print(f"{os.path.basename(sys.argv[0])}: found a python without {', '.join(missing)} ({sys.executable}), expected {PYTHON} with the "
+          "modules that bash scripts/setup installs", file=sys.stderr)
+    sys.exit(2)

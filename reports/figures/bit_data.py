@@ -7,9 +7,8 @@ from functools import cached_property
 from pathlib import Path
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
+from figures import rock_data
 from figures.render import smooth_normals
 
 
@@ -88,18 +87,16 @@ def read_analysis(folder):
 def read_mesh(folder, count):
     """Points, triangles and the part number of each triangle."""
     path = demand(folder, "bit.vtp")
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    mesh = reader.GetOutput()
-    part = mesh.GetCellData().GetArray("part")
-    if not mesh.GetNumberOfPolys() or part is None:
+    try:
+        mesh = rock_data.read(path)
+    except (ArithmeticError, LookupError, TypeError, AttributeError, SyntaxError, ValueError) as error:
+        raise BadFolder(f"{path}: found no mesh ({error}), expected that of a bit") from error
+    part = mesh.cell_values.get("part")
+    if part is None:
         raise BadFolder(f"{path}: found no triangles with a part number, expected those of a bit")
-    part = vtk_to_numpy(part).astype(int)
     if part.max() >= count:
         raise BadFolder(f"{path}: found part {part.max()}, expected the {count} parts of analysis.json")
-    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
-    return points, vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3), part
+    return mesh.points, mesh.triangles, part.astype(int)
 
 
 def read_profile(folder):

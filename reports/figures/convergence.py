@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from figures import results, style
+from figures import results, style, traces
 
 # A study of `tdbd converge`: the errors of every variable over the quantity that was divided.
 
@@ -43,7 +43,8 @@ def draw_folder(folder):
         axes.loglog(sizes, nominal, color=style.GREY, linestyle="dashed", label=f"order {study['nominal_order']:g}, nominal")
     against = "the reference" if kind == "errors" else "the next level"
     axes.set(xlabel=f"{study['over']} ({'s' if study['over'] == 'time.step' else 'SI'})",
-             ylabel=f"{kind} to {against}, over the variable's size", title=f"{study['title'] or 'convergence'}: {kind} over {study['over']}")
+             ylabel=f"{kind} to {against}, over the variable's size")
+    figure.suptitle(traces.fitted(f"{study['title'] or 'convergence'}: {kind} over {study['over']}", figure), fontsize=10)
     axes.legend(title="variable: observed order", loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return figure
 

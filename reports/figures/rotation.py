@@ -291,6 +291,20 @@ def draw_work(axes, inputs, reference, order, drift):
     axes.loglog(*points(runs, reference), color=colour, marker=marker, markersize=3, label=label)
 
 
+SLOPE_FROM = 3e-3  # rad: errors at which the lines of the slopes begin
+
+
+def draw_slope(axes, order):
+    """The slope of the nominal order, left of the lines of the methods, over a factor of four in work."""
+    drawn = [line.get_xydata() for line in axes.get_lines()]
+    near = [work for line in drawn for work, error in line if error < SLOPE_FROM]
+    if not near:
+        return
+    work = 0.55 * min(near) * np.array([1.0, 2.5])
+    axes.loglog(work, SLOPE_FROM * (work / work[0]) ** -order, color=style.BLACK, linewidth=1.2, linestyle=(0, (1, 1)))
+    axes.annotate(f"slope -{order}", (work[0], SLOPE_FROM), xytext=(-3, 3), textcoords="offset points", ha="right", va="bottom", fontsize=7)
+
+
 def draw_rivals(axes, inputs):
     for method, (label, dash) in RIVALS.items():
         for _, run in inputs.sweep(f"rival-{method}"):
@@ -305,6 +319,7 @@ def work_precision(inputs):
     for axes, order in zip(grid.flat, ORDERS):
         for drift in style.DRIFTS:
             draw_work(axes, inputs, reference, order, drift)
+        draw_slope(axes, order)
         draw_rivals(axes, inputs)
         axes.set_title(NAMES[order])
     for axes in grid[:, 0]:
@@ -312,7 +327,8 @@ def work_precision(inputs):
     for axes in grid[-1]:
         axes.set_xlabel("torque evaluations")
     grid[0, 0].set_ylim(1e-13, 10.0)
-    grid[0, 0].legend(loc="lower left", fontsize=7)
+    figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="upper center", ncol=4)
+    figure.suptitle(" \n ")  # room for the legend
     return figure
 
 

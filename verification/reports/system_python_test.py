@@ -32,7 +32,7 @@ class SystemPython(unittest.TestCase):
     def test_reports_what_no_python_has(self):
         with tempfile.TemporaryDirectory() as folder:
             done = call([*BARE, script(folder, '"numpy", "no_such_module"')])
-            self.assertEqual(done.returncode, 1)
+            self.assertEqual(done.returncode, 2)
             self.assertIn("found a python without no_such_module", done.stderr)
 
     def test_every_command_script_checks_its_modules(self):
