@@ -57,6 +57,7 @@ std::filesystem::path folder_of(const Arguments& a) {
 }
 
 void print(const Comparison& all, const std::filesystem::path& folder) {
+  fmt::print("models of one bit, not bits, are compared (two bits: tdbd compare A B)\n");
   fmt::print("{}", comparison_table(all));
   for (const Answer& answer : all.answers)
     for (const std::string& note : answer.findings.notes)
@@ -110,7 +111,9 @@ int guarded(const Arguments& a) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("One bit, one rock, one schedule through the models of chapter 2 and through TDBD");
+  CLI::App app(
+      "Compares models, not bits: one bit, one rock, one schedule through the models of chapter 2 "
+      "and through TDBD (two bits: tdbd compare A B)");
   Arguments a;
   app.add_option("case", a.case_file, "a case of tdbd run, with a table [compare]");
   app.add_option("-o,--output", a.folder, "result folder; default results/CASE-compared");

@@ -74,7 +74,7 @@ class OfResults(unittest.TestCase):
         self.assertFalse(momentum.get_lines()[0].get_ydata().any())
 
     def test_work_and_precision_of_runs_and_of_a_study(self):
-        runs = sorted(self.folder.glob("top-*"))
+        runs = sorted(path for path in self.folder.glob("top-*") if path.is_dir())
         [axes] = work_precision.of_runs(runs).axes
         lines = {line.get_label(): line for line in axes.get_lines()}
         self.assertEqual(set(lines), {"split, order 2", "slope of order 2", "split, order 4", "slope of order 4"})
