@@ -46,3 +46,7 @@ install(FILES "${PROJECT_BINARY_DIR}/tdbdConfig.cmake" "${PROJECT_BINARY_DIR}/td
 set_target_properties(tdbd PROPERTIES INSTALL_RPATH_USE_LINK_PATH ON)
 install(TARGETS tdbd RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+# The scripts of the commands draw, page, report and compare.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/reports/" DESTINATION "${CMAKE_INSTALL_DATADIR}/tdbd/reports"
+  FILES_MATCHING PATTERN "*.py" PATTERN "*.j2" PATTERN "*.js" PATTERN "*.css"
+  PATTERN "studies" EXCLUDE PATTERN "api" EXCLUDE PATTERN "__pycache__" EXCLUDE)

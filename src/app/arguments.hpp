@@ -73,6 +73,10 @@ void add_new(CLI::App& app, int& exit_code);
 void add_sweep(CLI::App& app, int& exit_code);
 void add_curve(CLI::App& app, int& exit_code);
 void add_mesh(CLI::App& app, int& exit_code);
+void add_draw(CLI::App& app, int& exit_code);
+void add_page(CLI::App& app, int& exit_code);
+void add_report(CLI::App& app, int& exit_code);
+void add_compare(CLI::App& app, int& exit_code);
 
 /// Runs the body of a command and returns its exit code: 2 after an InputError or an invalid path,
 /// 1 after any other failure, each with one message on standard error.

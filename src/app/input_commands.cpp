@@ -252,8 +252,7 @@ void add_keys(CLI::App& app, int& exit_code) {
   command->add_flag("--design", a->design, "the keys of a sweep's design instead");
   command->add_flag("--markdown", a->markdown, "as Markdown");
   command->footer(
-      "cutter-table: the columns of a cutter table. A search prints at most 60 lines.
-"
+      "cutter-table: the columns of a cutter table. A search prints at most 60 lines.\n"
       "Example: tdbd keys weight");
   command->callback([a, &exit_code] { exit_code = guarded([&] { return print_keys(*a); }); });
 }

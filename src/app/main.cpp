@@ -97,6 +97,10 @@ int main(int argc, char** argv) {
   tdbd::app::add_sweep(app, exit_code);
   tdbd::app::add_curve(app, exit_code);
   tdbd::app::add_mesh(app, exit_code);
+  tdbd::app::add_draw(app, exit_code);
+  tdbd::app::add_page(app, exit_code);
+  tdbd::app::add_report(app, exit_code);
+  tdbd::app::add_compare(app, exit_code);
   const int code = tdbd::app::guarded(
       [&] { return dispatch(app, exit_code, std::vector<std::string>(argv + 1, argv + argc)); });
   return tdbd::app::after_output(code);

@@ -41,7 +41,7 @@ void print_summary(const simulation::RunSummary& s, const std::string& folder, b
   print_out("results in {}\n", folder);
   if (s.status == simulation::RunStatus::interrupted)
     print_out("to resume: tdbd run --resume {}\n", folder);
-  if (has_frames) print_out("to view it: reports/page3d.py {}\n", folder);
+  if (has_frames) print_out("to view it: tdbd page {}\n", folder);
 }
 
 std::string detail_of(const simulation::Simulation& s) {

@@ -52,8 +52,7 @@ int converge(ConvergeArguments a) {
   if (!a.quiet) {
     progress.finish();
     const std::string name = folder.string();
-    print_out("{}results in {}; to draw them: reports/draw.py {}\n", sim::table_text(c), name,
-              name);
+    print_out("{}results in {}; to draw them: tdbd draw {}\n", sim::table_text(c), name, name);
   }
   return c.status == sim::RunStatus::completed ? 0 : interrupted_code;
 }
@@ -92,7 +91,7 @@ void add_converge(CLI::App& app, int& exit_code) {
   auto a = std::make_shared<ConvergeArguments>();
   add_convergence_options(*command, *a);
   command->footer(
-      "Writes convergence.json and convergence.csv; reports/draw.py FOLDER draws them. An\n"
+      "Writes convergence.json and convergence.csv; tdbd draw FOLDER draws them. An\n"
       "order needs at least three differences above rounding whose local orders have settled;\n"
       "otherwise the table gives the reason. The numerical uncertainty of the finest level\n"
       "follows ASME V&V 20. Surfaces of drilled holes are compared too.\n"
@@ -194,7 +193,7 @@ void print_result(const sweep::Design& d, const sweep::SweepResult& r, const fs:
     print_warning(
         fmt::format("the means of {} of {} points are not steady (column steady): run longer",
                     r.unsteady, r.done));
-  print_out("table in {}; to draw it: reports/sweep.py {}\n", table.string(), table.string());
+  print_out("table in {}; to draw it: tdbd draw {}\n", table.string(), table.string());
 }
 
 int sweep_points(const SweepArguments& a) {

@@ -40,11 +40,11 @@ class Completion(unittest.TestCase):
         return sorted(done.stdout.splitlines())
 
     def test_of_commands(self):
-        self.assertEqual(self.offers("r"), ["rotate", "run"])
+        self.assertEqual(self.offers("r"), ["report", "rotate", "run"])
         self.assertEqual(self.offers("--v"), ["--version"])
         listed = re.findall(r"^(\w+) +[A-Z]", tdbd("help"), re.MULTILINE)
         self.assertEqual(self.offers(""), sorted([*listed, "help", "--help", "--version"]))
-        self.assertEqual(self.offers("help", "co"), ["converge"])
+        self.assertEqual(self.offers("help", "co"), ["compare", "converge"])
 
     def test_of_options_is_all_that_help_lists(self):
         self.assertIn("--resume", self.offers("run", "--"))

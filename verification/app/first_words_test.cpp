@@ -53,12 +53,13 @@ TEST(FirstWords, a_wrong_one_names_the_right_one) {
   expect_told(
       {"drill"},
       "found the command drill, expected one of new, run, rotate, string, converge, calibrate, "
-      "check, keys, bit, laboratory, sweep, curve, mesh");
+      "check, keys, bit, laboratory, sweep, curve, mesh, draw, page, report, compare");
   // three slips are too many, and none of its letters may be right by chance
   for (const std::string word : {"q", "r", "rx", "rotaxxx"})
-    expect_told({word}, "found the command " + word +
-                            ", expected one of new, run, rotate, string, converge, calibrate, "
-                            "check, keys, bit, laboratory, sweep, curve, mesh");
+    expect_told({word},
+                "found the command " + word +
+                    ", expected one of new, run, rotate, string, converge, calibrate, "
+                    "check, keys, bit, laboratory, sweep, curve, mesh, draw, page, report, compare");
 }
 
 /// Options that no command follows are no way to do nothing.
@@ -151,7 +152,7 @@ TEST(FirstWords, help_of_an_unknown_option_is_an_error) {
   expect_told(
       {"help", "--mna"},
       "found the command --mna, expected one of new, run, rotate, string, converge, calibrate, "
-      "check, keys, bit, laboratory, sweep, curve, mesh");
+      "check, keys, bit, laboratory, sweep, curve, mesh, draw, page, report, compare");
 }
 
 TEST(FirstWords, version_has_the_provenance_of_a_summary) {

@@ -30,7 +30,7 @@ TEST(ResultFolder, a_collection_has_one_frame_for_one_time) {
 
 TEST(ResultFolder, with_frames_the_last_line_names_a_viewer) {
   const SmallCase c;
-  const std::string line = "to view it: reports/page3d.py " + c.path("out").string() + "\n";
+  const std::string line = "to view it: tdbd page " + c.path("out").string() + "\n";
   const std::string with = c.run({"--set", "output.frames_every=10"}).out;
   ASSERT_GE(with.size(), line.size());
   EXPECT_EQ(with.substr(with.size() - line.size()), line);
