@@ -6,12 +6,11 @@
 Of a run: bit.png, bottom_hole.png, side_view.png, cutters.png, forces.png (with forces), traces.png. Of a rotation: motion.png, path.png,
 conservation.png. Of a drill string: torque_and_drag.png, broomstick.png, modes.png, and of a run traces.png and time_depth.png. Of a
 convergence study: convergence.png, and of a rotation work_precision.png. Of a calibration: coefficients.png, predictions.png. Of the
-table of a sweep: the pictures of sweep.py. Several folders of rotations or of their convergence studies: one work_precision.png.
+table of a sweep: the pictures of sweep.py. Of a curve: curve.png. Several folders of rotations or of their convergence studies: one work_precision.png.
 Exit code 2 and a message for anything else.
 """
 
 import argparse
-import importlib.util
 import subprocess
 import sys
 from pathlib import Path
@@ -24,6 +23,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 
+import curve
 import result_kind
 import result_pictures
 from progress import Progress
@@ -41,11 +41,11 @@ def draw_sweep(table, output):
 
 
 def draw_curve(folder, output):
-    if importlib.util.find_spec("curve") is None:
-        raise NoResult(f"{folder}: found a curve, which this version cannot draw; its numbers are in {folder}/curve.json")
-    import curve
-
-    curve.draw_curve(folder, output)
+    """The picture of curve.py. Raises NoResult."""
+    try:
+        print(curve.draw_curve(folder, output))
+    except ValueError as error:
+        raise NoResult(str(error)) from error
 
 
 def save_all(pictures, summary, output):

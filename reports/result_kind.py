@@ -3,16 +3,16 @@
 import json
 from pathlib import Path
 
-EXPECTED = ("expected a result folder of tdbd run, rotate, string, converge, calibrate or tdbd bit BIT -o FOLDER --report, "
+EXPECTED = ("expected a result folder of tdbd run, rotate, string, converge, calibrate, curve or tdbd bit BIT -o FOLDER --report, "
             "or the table NAME.nc of tdbd sweep")
 # The file that marks a kind of result, and the kind; the first file that exists decides.
 MARKS = (("convergence.json", "convergence"), ("calibration.json", "calibration"), ("comparison.json", "models"),
-         ("curve.json", "curve"), ("summary.json", ""), ("analysis.json", "bit"))
+         ("curve.csv", "curve"), ("summary.json", ""), ("analysis.json", "bit"))
 COMMANDS = {"run": "run", "rotate": "rotation", "string": "string"}
 NAMES = {"run": "a run (tdbd run)", "rotation": "a rotation (tdbd rotate)", "string": "a drill string (tdbd string)",
          "convergence": "a convergence study (tdbd converge)", "calibration": "a calibration (tdbd calibrate)",
          "models": "a comparison of models (tdbd-compare)", "bit": "the analysis of a bit (tdbd bit --report)",
-         "sweep": "the table of a sweep (tdbd sweep)", "curve": "a curve of weight and rate"}
+         "sweep": "the table of a sweep (tdbd sweep)", "curve": "a curve of rate over weight (tdbd curve)"}
 
 
 class NoResult(ValueError):

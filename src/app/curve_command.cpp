@@ -169,7 +169,7 @@ void print_curve(const sweep::CurvePlan& plan, const sweep::CurveResult& result,
   if (plan.rate)
     for (const sweep::Curve& curve : result.curves)
       print_out("{}\n", sweep::rate_text(plan, curve));
-  print_out("table in {}; to draw it: reports/curve.py {}\n", (folder / "curve.csv").string(),
+  print_out("table in {}; to draw it: tdbd draw {}\n", (folder / "curve.csv").string(),
             folder.string());
 }
 
@@ -246,7 +246,7 @@ void add_curve(CLI::App& app, int& exit_code) {
   add_result_options(*command, *a, help);
   add_threads(*command, a->threads);
   command->footer(
-      "Writes curve.csv and, with --rate, rates.csv; reports/curve.py FOLDER draws them. Finished\n"
+      "Writes curve.csv and, with --rate, rates.csv; tdbd draw FOLDER draws them. Finished\n"
       "runs are stored in FOLDER: after an interruption the same command continues, and other\n"
       "weights use them. The exit code is 1 if a rate was not found. The duration of the case is\n"
       "that of each run; expected_rate and torque_at_start are those of the case.\n"

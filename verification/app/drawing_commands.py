@@ -11,7 +11,7 @@ import unittest
 
 TDBD, ROOT = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 TOP, DRILL, BIT_A, BIT_B = (ROOT / "cases" / name for name in ("slow-top.toml", "bit-b-steady.toml", "bits/bit-a.toml", "bits/bit-b.toml"))
-RESULT = ("expected a result folder of tdbd run, rotate, string, converge, calibrate or tdbd bit BIT -o FOLDER --report, or the table "
+RESULT = ("expected a result folder of tdbd run, rotate, string, converge, calibrate, curve or tdbd bit BIT -o FOLDER --report, or the table "
           "NAME.nc of tdbd sweep")
 
 
