@@ -1,48 +1,25 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <numbers>
 
 #include "app/arguments.hpp"
 #include "app/terminal.hpp"
 #include "bit/bit.hpp"
+#include "bit/cutter/cutter.hpp"
 #include "bit/files/bit_export.hpp"
 #include "bit/files/bit_file.hpp"
 #include "bit/files/file_checks.hpp"
+#include "bit/report/bit_facts.hpp"
 #include "bit/report/bit_output.hpp"
 #include "bit/report/bit_report.hpp"
 #include "bit/report/body_report.hpp"
 #include "bit/report/cone_report.hpp"
 #include "core/error.hpp"
 #include "io/output_folder.hpp"
-#include "mesh/measures.hpp"
 #include "simulation/case/case_kind.hpp"
 
 namespace tdbd::app {
 namespace {
-
-void print_table(const bit::Bit& b) {
-  constexpr double deg = 180.0 / std::numbers::pi;
-  print_out("{}: {} cutters, {} parts, gage radius {:.3f} mm\n", b.name, b.cutters.size(),
-            b.parts.size(), 1e3 * b.gage_radius);
-  print_out("{:>7} {:>5} {:>9} {:>9} {:>9} {:>9} {:>8} {:>6} {:>6} {:>8}\n", "cutter", "blade",
-            "zone", "r mm", "phi deg", "h mm", "prof deg", "back", "side", "dia mm");
-  for (const bit::Cutter& c : b.cutters)
-    print_out("{:>7} {:>5} {:>9} {:>9.3f} {:>9.3f} {:>9.3f} {:>8.2f} {:>6.1f} {:>6.1f} {:>8.2f}\n",
-              c.id, c.blade, c.zone, 1e3 * c.tip_radius, deg * c.azimuth, 1e3 * c.tip_height,
-              deg * c.profile_angle, deg * c.back_rake, deg * c.side_rake, 1e3 * c.diameter);
-}
-
-void print_parts(const bit::Bit& b) {
-  print_out("{:<24} {:>12} {:>6} {:>9} {:>12} {:>10}\n", "part", "kind", "cuts", "triangles",
-            "volume mm3", "mass g");
-  for (const bit::Part& p : b.parts) {
-    const double volume = mesh::enclosed_volume(p.mesh_P);
-    print_out("{:<24} {:>12} {:>6} {:>9} {:>12.3f} {:>10.3f}\n", p.name, bit::kind_name(p.kind),
-              bit::cutting_name(bit::final_cutting(p)), p.mesh_P.triangles.size(), 1e9 * volume,
-              1e3 * p.density * volume);
-  }
-}
 
 void print_mass(const bit::Bit& b, const std::vector<std::string>& without_density) {
   if (!without_density.empty())
@@ -55,22 +32,48 @@ void print_mass(const bit::Bit& b, const std::vector<std::string>& without_densi
       m.inertia(1, 1), m.inertia(2, 2));
 }
 
-void print_bit(const bit::BitFile& read) {
-  print_table(read.bit);
-  print_parts(read.bit);
-  print_mass(read.bit, read.without_density);
-  print_out("{}", bit::cones_text(read.bit));
-}
-
 struct BitChoices {
   std::string file, folder, format = "ply", solids = "stl";
+  std::vector<std::string> overrides;
   bool force = false;
   bool report = false;
   bool quiet = false;
+  bool cutters = false, parts = false;
   std::string penetration = "5 mm";
   std::string speed = "120 rpm";
   std::vector<double> cone_speeds;
 };
+
+void print_doubts(const std::vector<bit::BitDoubt>& doubts) {
+  for (const bit::BitDoubt& d : doubts) print_warning(d.place + ": " + d.text);
+}
+
+/// How to list what is not printed, because it may have hundreds of rows.
+void print_how_to_list(const bit::Bit& b, const BitChoices& choices) {
+  std::string options;
+  if (!choices.cutters && !b.cutters.empty()) options += " --cutters";
+  if (!choices.parts) options += " --parts";
+  if (!options.empty()) print_out("one row for each:{}\n", options);
+}
+
+void print_bit(const bit::BitFile& read, const BitChoices& choices,
+               const bit::ReportOptions& options) {
+  const bit::Bit& b = read.bit;
+  print_out("{}", bit::facts_text(b, options.advance));
+  print_mass(b, read.without_density);
+  print_out("{}{}{}{}", bit::cones_text(b), bit::assumptions_text(b, options.bit_speed),
+            bit::overlaps_text(b, bit::cutter_overlaps(b)), bit::enclosed_text(b));
+  if (b.cutter_source == bit::CutterSource::table && !b.cutters.empty())
+    print_out(
+        "doubts about the cutters: {}\n",
+        read.doubts.empty() ? "none" : fmt::format("{}, on standard error", read.doubts.size()));
+  if (choices.cutters && !b.cutters.empty()) print_out("{}", bit::cutters_text(b));
+  if (choices.parts) print_out("{}{}", bit::parts_text(b), bit::areas_report(b));
+  if (choices.report)
+    print_out("{}",
+              bit::tracking_text(b, bit::cone_operation(b, options.cone_speeds, options.advance)));
+  print_how_to_list(b, choices);
+}
 
 int inspect_bit(const BitChoices& choices) {
   simulation::require_kind(choices.file, {}, {simulation::CaseKind::bit});
@@ -80,17 +83,14 @@ int inspect_bit(const BitChoices& choices) {
       option_quantity("--speed", choices.speed, "rad/s", Range::positive(), "a rotary speed");
   const bit::BitFile read =
       bit::read_bit(choices.file, bit::DirectionRule::hybrid, bit::InsideRule::down,
-                    choices.report ? bit::Densities::required : bit::Densities::as_given);
+                    choices.report ? bit::Densities::required : bit::Densities::as_given,
+                    choices.overrides, "--set");
   const bit::Bit& b = read.bit;
   const bit::ReportOptions options{advance, bit_speed, choices.cone_speeds};
-  const bit::ConeOperation operation = bit::cone_operation(b, choices.cone_speeds, advance);
+  bit::cone_operation(b, choices.cone_speeds, advance);  // rejects wrong speeds
   if (!choices.quiet) {
-    print_bit(read);
-    print_out("{}{}{}", bit::assumptions_text(b, bit_speed),
-              bit::overlaps_text(b, bit::cutter_overlaps(b)), bit::enclosed_text(b));
-    if (choices.report)
-      print_out("{}{}{}", bit::areas_report(b), bit::tracking_text(b, operation),
-                bit::body_text(b, advance));
+    print_doubts(read.doubts);
+    print_bit(read, choices, options);
   }
   if (choices.folder.empty()) {
     if (choices.report) throw InputError("--report: found no folder, expected one: -o FOLDER");
@@ -112,7 +112,7 @@ int inspect_bit(const BitChoices& choices) {
 
 void add_bit(CLI::App& app, int& exit_code) {
   auto* command =
-      app.add_subcommand("bit", "Build and inspect a bit: table, mass properties, meshes");
+      app.add_subcommand("bit", "Build and inspect a bit: facts, balance, mass properties, meshes");
   auto choices = std::make_shared<BitChoices>();
   command->add_option("bit", choices->file, "the bit file (TOML)")
       ->required()
@@ -132,9 +132,14 @@ void add_bit(CLI::App& app, int& exit_code) {
                    "format of the file with all solids: stl or obj (with names), ply or off")
       ->check(CLI::IsMember({"stl", "obj", "ply", "off"}))
       ->capture_default_str();
+  add_set(*command, choices->overrides, "override a key of the bit file");
+  command->add_flag("--cutters", choices->cutters, "print one row for each cutter");
+  command->add_flag("--parts", choices->parts,
+                    "print one row for each part, and what areas of the bit file define");
   command->add_flag("--report", choices->report, "also write analysis.json, data for bit design");
   command
-      ->add_option("--penetration", choices->penetration, "advance per revolution, for the report")
+      ->add_option("--penetration", choices->penetration,
+                   "advance per revolution, for balance and report")
       ->capture_default_str();
   command
       ->add_option("--speed", choices->speed,
@@ -146,8 +151,14 @@ void add_bit(CLI::App& app, int& exit_code) {
                    "1.47,1.47,1.47; default: pure rolling of the gage rows")
       ->delimiter(',');
   command->add_flag("--force", choices->force, "replace the results in the folder");
-  command->add_flag("--quiet", choices->quiet, "print no tables");
-  command->footer("Example: tdbd bit cases/bits/bit-b.toml -o out/bit-b");
+  command->add_flag("--quiet", choices->quiet, "print nothing");
+  command->footer(
+      "Other rakes on the shoulder: --set adjust.zone.shoulder.back_rake='5 deg' (added to those "
+      "of\n"
+      "the table); of some cutters: --set adjust.cutter.22-39.back_rake='5 deg'. With -o, "
+      "cutters.csv has\nthe changed table. "
+      "`tdbd keys cutter-table` lists the columns of a table, `tdbd new bit NAME` writes one.\n"
+      "Example: tdbd bit cases/bits/bit-b.toml -o out/bit-b");
   command->callback(
       [choices, &exit_code] { exit_code = guarded([&] { return inspect_bit(*choices); }); });
 }

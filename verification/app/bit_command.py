@@ -22,7 +22,7 @@ def mass_line(result):
 
 
 def check_round_trip(folder, form):
-    first = tdbd(BIT, "-o", folder / form, "--format", form)
+    first = tdbd(BIT, "-o", folder / form, "--format", form, "--parts")
     assert "cutter-28/chamfer" in first.stdout and "gage radius 107.950 mm" in first.stdout
     for name in ("bit.toml", "bit.json", "bit.stl", "bit.vtp", "profile.csv", "cutters.csv",
                  f"parts/cutter-1/face.{form}", f"parts/bit-body.{form}"):
@@ -33,7 +33,9 @@ def check_round_trip(folder, form):
 
 def check_table(folder):
     """The table that is printed is the one that is written, in mm and degrees."""
-    printed = [line.split() for line in tdbd(BIT).stdout.splitlines()[2:30]]
+    lines = tdbd(BIT, "--cutters").stdout.splitlines()
+    first = next(k for k, line in enumerate(lines) if line.split()[:2] == ["cutter", "blade"]) + 1
+    printed = [line.split() for line in lines[first:first + 28]]
     assert tdbd(BIT, "-o", folder / "table", "--quiet").returncode == 0
     with (folder / "table/cutters.csv").open(newline="") as file:
         written = list(csv.DictReader(file))
@@ -72,6 +74,50 @@ def check_report(folder):
     for wrong in ("3 s", "0 mm", "much"):
         bad = tdbd(BIT, "-o", folder / "bad", "--report", "--penetration", wrong)
         assert bad.returncode == 2 and "--penetration: found" in bad.stderr, bad
+
+
+def check_facts():
+    """Facts first, and no rows without an option; the output fits on a screen for every bit."""
+    for bit in sorted(pathlib.Path(BIT).parent.glob("*.toml")):
+        done = tdbd(bit)
+        lines = done.stdout.splitlines()
+        assert done.returncode == 0 and done.stderr == "" and len(lines) <= 60, (bit, done.stderr, len(lines))
+        assert lines[0].endswith(" mm") and "gage radius" in lines[0] and lines[-1].startswith("one row for each: "), lines
+    shown = tdbd(BIT).stdout
+    for words in ("28 cutters", "the planar model of Warren and Sinor", "doubts about the cutters: none", "body: at 5.000 mm per revolution it clears"):
+        assert words in shown, (words, shown)
+    assert "cutter-1/face" not in shown and "359.428" not in shown, shown
+
+
+def check_set(folder):
+    """Rakes of the shoulder are changed on the command line, and the written table makes the same bit."""
+    out = folder / "set"
+    done = tdbd(BIT, "--set", "adjust.zone.shoulder.back_rake=-0.4 deg", "--set", "adjust.cutter.1-7.side_rake=-15 deg", "-o", out)
+    assert done.returncode == 0, done.stderr
+    with (out / "cutters.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert (rows[11]["back_rake_deg"], rows[9]["back_rake_deg"], rows[6]["side_rake_deg"]) == ("14.525", "13.21", "-15"), rows
+    text = re.sub('^table = .*$', 'table = "cutters.csv"', pathlib.Path(BIT).read_text(), flags=re.MULTILINE)
+    (out / "again.toml").write_text(text)
+    again = tdbd(out / "again.toml")
+    assert mass_line(again) == mass_line(done) and again.returncode == 0, again
+    wrong = tdbd(BIT, "--set", "adjust.zone.sholder.back_rake=1 deg")
+    assert wrong.returncode == 2 and "--set: adjust.zone.sholder.back_rake: found a table of sholder, expected a zone" in wrong.stderr, wrong
+
+
+def check_doubts(folder):
+    """A sign error in one height is an error; one that may be intended is a warning."""
+    bit = pathlib.Path(BIT)
+    (folder / "wrong.toml").write_text(bit.read_text().replace('"bit-b.csv"', '"wrong.csv"'))
+    table = bit.with_suffix(".csv").read_text()
+    (folder / "wrong.csv").write_text(table.replace(",6.167,", ",-6.167,"))
+    wrong = tdbd(folder / "wrong.toml")
+    assert wrong.returncode == 2 and "wrong.csv:6: h_tip_mm: found -6.167 mm of cutter 5, expected about 6.17 mm (is the sign wrong?)" in wrong.stderr
+    assert "slot_depth" not in wrong.stderr, wrong.stderr
+    (folder / "wrong.csv").write_text(table.replace(",4.002", ",-4.002"))
+    doubtful = tdbd(folder / "wrong.toml")
+    assert doubtful.returncode == 0 and doubtful.stderr.startswith("tdbd: warning: ") and "wrong.csv:21: side_rake_deg" in doubtful.stderr, doubtful
+    assert "doubts about the cutters: 1, on standard error" in doubtful.stdout
 
 
 def check_quiet(folder):
@@ -126,6 +172,9 @@ with tempfile.TemporaryDirectory() as name:
         check_round_trip(folder, form)
     check_table(folder)
     check_report(folder)
+    check_facts()
+    check_set(folder)
+    check_doubts(folder)
     check_quiet(folder)
     check_refusals(folder)
     check_force(folder)

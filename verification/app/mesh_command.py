@@ -195,13 +195,13 @@ def check_round_trips(folder):
         assert result.returncode == 0, result
         lines = result.stdout.splitlines()
         first = next(i for i, line in enumerate(lines) if line.startswith("part "))
-        last = next(i for i, line in enumerate(lines) if line.startswith("mass "))
-        return lines[first:last + 1]
+        assert len(lines) > first + 1 and "face" in lines[first + 1]
+        return [line for line in lines if line.startswith("mass ")] + lines[first:]
 
     for form in ("stl", "obj", "ply", "off"):
-        original = tdbd("bit", BIT, "-o", folder / form, "--solids", form)
+        original = tdbd("bit", BIT, "-o", folder / form, "--solids", form, "--parts", "--cutters")
         assert (folder / form / f"bit.{form}").stat().st_size > 0
-        again = parts(tdbd("bit", folder / form / "solids.toml"))
+        again = parts(tdbd("bit", folder / form / "solids.toml", "--parts", "--cutters"))
         assert parts(original) == again, form
 
 

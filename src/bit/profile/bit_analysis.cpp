@@ -188,6 +188,19 @@ double planar_imbalance(const std::vector<Cutter>& cutters, const std::vector<do
   return weight > 0.0 ? sum.head<2>().norm() / weight : std::numeric_limits<double>::quiet_NaN();
 }
 
+PlanarBalance planar_balance(const std::vector<Cutter>& cutters, const std::vector<double>& areas,
+                             double normal_ratio) {
+  PlanarBalance b;
+  for (std::size_t k = 0; k < cutters.size(); ++k) {
+    const Vec3 way(-std::sin(cutters[k].azimuth), std::cos(cutters[k].azimuth), 0.0);
+    b.normal -= areas[k] * normal_ratio * profile_normal_B(cutters[k]);
+    b.drag -= areas[k] * way;
+  }
+  b.weight = -b.normal.z();
+  b.normal.z() = 0.0;
+  return b;
+}
+
 double mean_redundancy(const std::vector<int>& cutting) {
   double sum = 0.0, weight = 0.0;
   for (std::size_t k = 0; k < cutting.size(); ++k) {

@@ -70,6 +70,18 @@ double imbalance(const std::vector<Cutter>& cutters, const std::vector<double>& 
 double planar_imbalance(const std::vector<Cutter>& cutters, const std::vector<double>& areas,
                         double normal_ratio);
 
+/// The parts of the planar model: lateral forces of the rock on the bit (z = 0), at 1 Pa, m2.
+struct PlanarBalance {
+  Vec3 normal = Vec3::Zero();  ///< of the forces along the profile's normals
+  Vec3 drag = Vec3::Zero();    ///< of the forces against the motion
+  double weight = 0.0;         ///< axial resultant, upwards
+};
+
+/// The planar model (planar_imbalance) with the lateral resultants of the normal and of the drag
+/// forces apart. |normal + drag| / weight is the planar imbalance.
+PlanarBalance planar_balance(const std::vector<Cutter>& cutters, const std::vector<double>& areas,
+                             double normal_ratio);
+
 /// Mean number of cutters that cut at a radius, weighted by the area of the hole. Measures how well
 /// the bit tolerates the loss of a cutter. `cutting`: as in Engagement.
 double mean_redundancy(const std::vector<int>& cutting);

@@ -13,6 +13,7 @@
 #include "bit/cutter/cutter.hpp"
 #include "bit/profile/bit_analysis.hpp"
 #include "bit/profile/exposure_profile.hpp"
+#include "bit/report/bit_facts.hpp"
 #include "bit/report/bit_output.hpp"
 #include "bit/report/body_report.hpp"
 #include "bit/report/cone_report.hpp"
@@ -235,6 +236,7 @@ std::string analysis_json(const Bit& bit, const ReportOptions& options) {
             {"penetration_m_per_rev", options.advance},
             {"imbalance_of_unit_law", imbalance(cutting, e.area)},
             {"imbalance_vector_of_unit_law", vector_json(imbalance_vector(cutting, e.area))},
+            {"balance", balance_json(cutting, e)},
             {"mean_redundancy", mean_redundancy(e.cutting)},
             {"mass_kg", mass.mass},
             {"centre_m", vector_json(mass.centre)},

@@ -162,7 +162,7 @@ std::string place_text(const Vec3& x_B) {
 }  // namespace
 
 nlohmann::ordered_json body_json(const Bit& bit, double advance) {
-  const Rubbing r = body_rubbing(bit, advance);
+  const Rubbing r = body_rubbing(bit, advance), at_rest = body_rubbing(bit, 0.0);
   const Cutting cutting = body_of(bit).cutting;
   const WeightCurve w = weight_curve(bit);
   return {{"exposure_m", bit.blades->exposure},
@@ -172,6 +172,7 @@ nlohmann::ordered_json body_json(const Bit& bit, double advance) {
           {"rubs", cutting == Cutting::rubs},
           {"least_axial_clearance_m", r.clearance},
           {"least_axial_clearance_at_m", vector_json(r.clearance_at_B)},
+          {"stands_proud_m", std::max(0.0, -at_rest.clearance)},
           {"touches_at_m_per_rev", r.touching_advance},
           {"touches_first_at_m", vector_json(r.touching_at_B)},
           {"points_measured", r.points},
@@ -186,21 +187,41 @@ nlohmann::ordered_json body_json(const Bit& bit, double advance) {
             {"weight_over_strength_m2", w.weight}}}};
 }
 
+namespace {
+
+/// What the body does at an advance, in a sentence.
+std::string rubbing_text(const Rubbing& r, const Rubbing& at_rest, double advance) {
+  if (r.points == 0) return "body: no cutter cuts above it, so its clearance is unknown\n";
+  if (at_rest.clearance < 0.0)
+    return fmt::format(
+        "body: stands proud of the cutters by {:.3f} mm at {}: it rubs at any depth of cut\n",
+        -1e3 * at_rest.clearance, place_text(at_rest.clearance_at_B));
+  if (r.clearance < 0.0)
+    return fmt::format(
+        "body: rubs at {:.3f} mm per revolution: it is {:.3f} mm deep in the rock at {}\n"
+        "  it touches the rock from {:.3f} mm per revolution on ({})\n",
+        1e3 * advance, -1e3 * r.clearance, place_text(r.clearance_at_B), 1e3 * r.touching_advance,
+        place_text(r.touching_at_B));
+  return fmt::format(
+      "body: at {:.3f} mm per revolution it clears the rock by {:.3f} mm along the axis ({})\n"
+      "  it touches the rock from {:.3f} mm per revolution on ({})\n",
+      1e3 * advance, 1e3 * r.clearance, place_text(r.clearance_at_B), 1e3 * r.touching_advance,
+      place_text(r.touching_at_B));
+}
+
+}  // namespace
+
 std::string body_text(const Bit& bit, double advance) {
   if (!bit.blades) return "";
-  const Rubbing r = body_rubbing(bit, advance);
   const WeightCurve w = weight_curve(bit);
   constexpr double n_per_mm = 1e3;  // per metre, at 1 MPa
   return fmt::format(
-      "blades: exposure {:.3f} mm, slots {:.3f} mm deep, junk slot area {:.1f} mm2\n"
-      "rubbing: at {:.3f} mm per revolution the blades clear the rock by {:.3f} mm along the axis "
-      "({})\n  they touch it from {:.3f} mm per revolution on ({})\n"
-      "weight over depth of cut, in rock of strength S: {:.3g} N/mm per MPa of S before they "
-      "touch, {:.3g} "
-      "beyond\n",
+      "blades: exposure {:.3f} mm, slots {:.3f} mm deep, junk slot area {:.1f} mm2\n{}"
+      "weight over depth of cut, in rock of strength S: {:.3g} N/mm per MPa of S before the body "
+      "touches, {:.3g} beyond\n",
       1e3 * bit.blades->exposure, 1e3 * bit.blades->slot_depth, 1e6 * bit.blades->junk_slot_area,
-      1e3 * advance, 1e3 * r.clearance, place_text(r.clearance_at_B), 1e3 * r.touching_advance,
-      place_text(r.touching_at_B), n_per_mm * w.slope, n_per_mm * w.slope_beyond);
+      rubbing_text(body_rubbing(bit, advance), body_rubbing(bit, 0.0), advance), n_per_mm * w.slope,
+      n_per_mm * w.slope_beyond);
 }
 
 }  // namespace tdbd::bit

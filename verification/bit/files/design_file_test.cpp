@@ -240,7 +240,7 @@ TEST(BladeFile, is_reported_with_units) {
   const auto json = body_json(b, 5e-3);
   EXPECT_EQ(json["exposure_m"], 5e-3);
   EXPECT_GT(json["touches_at_m_per_rev"].get<double>(), 3e-3);
-  EXPECT_NE(body_text(b, 5e-3).find("they touch it from"), std::string::npos);
+  EXPECT_NE(body_text(b, 5e-3).find("it touches the rock from"), std::string::npos);
 }
 
 }  // namespace tdbd::bit::design_file_test

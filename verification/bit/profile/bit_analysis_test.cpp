@@ -55,6 +55,9 @@ RC_GTEST_PROP(PlanarImbalance, is_the_same_of_a_turned_bit_and_of_any_unit_of_ar
     scaled.push_back(unit * areas.back());
   }
   const double found = planar_imbalance(cutters, areas, 0.8);
+  const PlanarBalance parts = planar_balance(cutters, areas, 0.8);
+  RC_ASSERT(std::abs((parts.normal + parts.drag).norm() / parts.weight - found) <
+            1e-14 * (1.0 + found));
   RC_ASSERT(std::abs(planar_imbalance(turned, scaled, 0.8) - found) < 1e-14 * (1.0 + found));
 }
 
@@ -62,6 +65,10 @@ RC_GTEST_PROP(PlanarImbalance, is_the_same_of_a_turned_bit_and_of_any_unit_of_ar
 TEST(PlanarImbalance, is_none_of_opposite_cutters_and_no_number_without_weight) {
   const Cutter a = cutter_at(0.0, 30 * degree), b = cutter_at(pi, 30 * degree);
   EXPECT_NEAR(planar_imbalance({a, b}, {3.0, 3.0}, 0.8), 0.0, 1e-15);
+  const PlanarBalance one = planar_balance({cutter_at(0.0, 30 * degree)}, {2.0}, 0.8);
+  EXPECT_NEAR(one.weight, 0.8 * 2.0 * std::cos(30 * degree), 1e-15);
+  EXPECT_NEAR((one.normal - Vec3(-0.8, 0, 0)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((one.drag - Vec3(0, -2, 0)).norm(), 0.0, 1e-15);
   EXPECT_TRUE(std::isnan(planar_imbalance({}, {}, 0.8)));
   EXPECT_TRUE(std::isnan(planar_imbalance({cutter_at(0.0, 100 * degree)}, {1.0}, 0.8)));
   EXPECT_TRUE(std::isnan(planar_imbalance({a}, {1.0}, 0.0)));

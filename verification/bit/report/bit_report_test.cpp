@@ -1,7 +1,9 @@
 #include "bit/report/bit_report.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -14,6 +16,7 @@
 #include "bit/generate.hpp"
 #include "bit/profile/bit_analysis.hpp"
 #include "bit/profile/exposure_profile.hpp"
+#include "bit/report/bit_facts.hpp"
 #include "bit/report/bit_output.hpp"
 #include "bit/report/body_report.hpp"
 #include "bit/report/cone_report.hpp"
@@ -134,6 +137,39 @@ TEST(BitReport, has_what_the_cutters_share) {
   EXPECT_EQ(a.at("column_width_m"), e.column_width);
   EXPECT_EQ(a.at("cutters_cutting_at_radius"), e.cutting);
   EXPECT_EQ(a.at("cutters_in_body_m3"), cutters_in_body(bit));
+}
+
+TEST(BitReport, has_both_parts_of_the_balance) {
+  const Bit bit = read(TDBD_SOURCE_DIR "/cases/bits/bit-b.toml");
+  const ReportOptions options;
+  const nlohmann::json found = nlohmann::json::parse(analysis_json(bit, options)).at("balance");
+  const Engagement e = engagement(bit.cutters, options.advance, report_column_width);
+  constexpr double rounding = 1e-14;
+  EXPECT_NEAR(found.at("planar_over_weight").get<double>(),
+              planar_imbalance(bit.cutters, e.area, report_normal_ratio), rounding);
+  const Vec3 normal = vector_of(found.at("normal_part_vector_over_weight")),
+             drag = vector_of(found.at("drag_part_vector_over_weight"));
+  EXPECT_NEAR((vector_of(found.at("planar_vector_over_weight")) - normal - drag).norm(), 0.0,
+              rounding);
+  EXPECT_EQ(found.at("normal_part_over_weight"), normal.norm());
+}
+
+TEST(BitFacts, fit_on_a_screen_for_every_kind_of_bit) {
+  for (const char* name : {"bit-a", "bit-c", "generated", "bit-r", "single-tooth", "outside"}) {
+    const std::string text =
+        facts_text(read(fmt::format(TDBD_SOURCE_DIR "/cases/bits/{}.toml", name)), 5e-3);
+    EXPECT_LE(std::ranges::count(text, '\n'), 30) << text;
+    EXPECT_NE(text.find(name), std::string::npos) << text;
+  }
+}
+
+TEST(BitFacts, state_what_each_imbalance_is) {
+  const std::string text = facts_text(read(TDBD_SOURCE_DIR "/cases/bits/bit-b.toml"), 5e-3);
+  for (const char* words :
+       {"28 cutters", "8.5 in across", "blades (number, cutters): 1 6, 2 5",
+        "zones (name, cutters): cone 8", "% of the sum of all pushes", "normal part", "drag part",
+        "the planar model of Warren and Sinor", "trust the imbalance of a run"})
+    EXPECT_NE(text.find(words), std::string::npos) << words << " is not in " << text;
 }
 
 TEST(BitReport, has_the_mass_and_every_part) {

@@ -69,10 +69,10 @@ TEST(BodyReport, is_in_millimetres) {
   const nlohmann::json curve = body_json(bladed(), advance).at("weight_over_depth_of_cut");
   EXPECT_EQ(body_text(bladed(), advance),
             fmt::format("blades: exposure {:.3f} mm, slots {:.3f} mm deep, junk slot area {:.1f} "
-                        "mm2\nrubbing: at 3.000 mm per revolution the blades clear the rock by "
-                        "{:.3f} mm along the axis {}\n  they touch it from {:.3f} mm per "
+                        "mm2\nbody: at 3.000 mm per revolution it clears the rock by "
+                        "{:.3f} mm along the axis {}\n  it touches the rock from {:.3f} mm per "
                         "revolution on {}\nweight over depth of cut, in rock of strength S: {:.3g} "
-                        "N/mm per MPa of S before they touch, {:.3g} beyond\n",
+                        "N/mm per MPa of S before the body touches, {:.3g} beyond\n",
                         1e3 * b.exposure, 1e3 * b.slot_depth, 1e6 * b.junk_slot_area,
                         1e3 * r.clearance, place(r.clearance_at_B), 1e3 * r.touching_advance,
                         place(r.touching_at_B), 1e3 * curve.at("slope_m").get<double>(),
@@ -80,6 +80,23 @@ TEST(BodyReport, is_in_millimetres) {
   Bit bare = bladed();
   bare.blades.reset();
   EXPECT_EQ(body_text(bare, advance), "");
+}
+
+/// A body that is lowered until it touches, and until it is lower than the cutters.
+TEST(BodyReport, states_that_a_body_rubs) {
+  const double touching = 1e3 * rubbing_of_body().touching_advance;
+  EXPECT_NE(body_text(bladed(), 2e-3 * touching).find("mm per revolution: it is "),
+            std::string::npos);
+  Bit proud = bladed();
+  const auto body = std::ranges::find(proud.parts, PartKind::bit_body, &Part::kind);
+  body->X_BP.p.z() += 30e-3;
+  const std::string text = body_text(proud, advance);
+  EXPECT_NE(text.find("body: stands proud of the cutters by "), std::string::npos) << text;
+  EXPECT_NE(text.find("it rubs at any depth of cut\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("by -"), std::string::npos) << text;
+  const nlohmann::json found = body_json(proud, advance);
+  EXPECT_GT(found.at("stands_proud_m").get<double>(), 10e-3);
+  EXPECT_EQ(body_json(bladed(), advance).at("stands_proud_m"), 0.0);
 }
 
 Bit three_cutters() {
