@@ -15,5 +15,8 @@ void add_simulation(py::module_& m);
 void add_rotation(py::module_& m);
 void add_studies(py::module_& m);
 void add_calibration(py::module_& m);
+void add_bits(py::module_& m);
+void add_meshes(py::module_& m);
+void add_sweeps(py::module_& m);
 
 }  // namespace tdbd::python

@@ -1,5 +1,7 @@
+#include <pybind11/stl.h>
+
 #include "calibration/laboratory/laboratory.hpp"
-#include "calibration/result/calibrate.hpp"
+#include "calibration/result/answer.hpp"
 #include "python/src/options.hpp"
 
 namespace tdbd::python {
@@ -16,17 +18,23 @@ std::function<void(long, long)> teller(Watch& watch) {
   };
 }
 
-void calibrate(const calibration::CalibrationCase& c, const std::string& folder,
-               const std::string& cuts, bool force, long threads, const py::object& progress) {
+/// Returns the printed answer and the warnings.
+std::pair<std::string, Told> calibrate(const calibration::CalibrationCase& c,
+                                       const std::string& folder, const std::string& cuts,
+                                       bool force, long threads, const py::object& progress) {
   Watch watch(progress);
+  calibration::Calibration found;
+  std::string answer;
   const calibration::CalibrateOptions options{folder, cuts, overwrite_of(force),
                                               checked_threads(threads), teller(watch)};
   try {
     const py::gil_scoped_release released;
-    calibration::calibrate_into(c, options);
+    found = calibration::calibrate_into(c, options);
+    answer = calibration::answer_text(c, found);
   } catch (const Interrupted&) {
   }
   watch.rethrow();
+  return {answer, found.warnings};
 }
 
 void laboratory(const calibration::LaboratoryCase& c, const std::string& file,

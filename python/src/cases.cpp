@@ -21,11 +21,12 @@ using simulation::Case;
 using simulation::CaseKind;
 using simulation::RotateCase;
 
-constexpr std::array<std::pair<CaseKind, const char*>, 7> kind_names{
+constexpr std::array<std::pair<CaseKind, const char*>, 8> kind_names{
     {{CaseKind::drilling, "drilling"},
      {CaseKind::rotation, "rotation"},
      {CaseKind::calibration, "calibration"},
      {CaseKind::laboratory, "laboratory"},
+     {CaseKind::sweep, "sweep"},
      {CaseKind::string, "string"},
      {CaseKind::bit, "bit"},
      {CaseKind::unknown, "unknown"}}};

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "python/src/bindings.hpp"
 
 namespace tdbd::python {
@@ -13,9 +14,12 @@ py::object text_of(const std::string& message) {
       message.data(), static_cast<Py_ssize_t>(message.size()), "backslashreplace"));
 }
 
+/// Raises an exception of the package. The message names Python's arguments and functions instead
+/// of options and commands.
 void raise(const char* name, const std::string& message) {
-  const py::object type = py::module_::import("tdbd.errors").attr(name);
-  PyErr_SetObject(type.ptr(), text_of(message).ptr());
+  const py::module_ errors = py::module_::import("tdbd.errors");
+  const py::object text = errors.attr("in_python_words")(text_of(message));
+  PyErr_SetObject(py::object(errors.attr(name)).ptr(), text.ptr());
 }
 
 /// Raises OSError; Python selects FileNotFoundError, PermissionError, ... from the number.
@@ -35,6 +39,8 @@ void add_errors() {
       raise("FolderError", e.what());
     } catch (const InputError& e) {
       raise("CaseError", e.what());
+    } catch (const UnitError& e) {
+      PyErr_SetObject(PyExc_ValueError, text_of(e.what()).ptr());
     } catch (const RunError& e) {
       raise("RunError", e.what());
     } catch (const std::filesystem::filesystem_error& e) {

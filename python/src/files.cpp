@@ -41,6 +41,7 @@ void add_files(py::module_& m) {
             return lock;
           },
           py::return_value_policy::reference)
+      .def("__repr__", [](const FilesLock&) { return "<tdbd.FilesLock>"; })
       .def("__exit__", [](FilesLock& lock, const py::args&) { lock.exit(); });
   m.def("read_surface", &surface_of, py::arg("path"),
         "Vertices (n, 3), m, and faces (m, 3) of a mesh file in metres.");

@@ -28,6 +28,9 @@ PYBIND11_MODULE(_core, m) {
   add_rotation(m);
   add_studies(m);
   add_calibration(m);
+  add_bits(m);
+  add_meshes(m);
+  add_sweeps(m);
 }
 
 }  // namespace tdbd::python

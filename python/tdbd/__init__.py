@@ -5,9 +5,11 @@
     r.summary["removed_volume_m3"], r.history, r.rock.vertices, r.plot()
     sim = tdbd.Simulation(c)
     sim.step(100)
+
+Modules: `tdbd.bit` (bit files), `tdbd.mesh` (mesh files), `tdbd.sweep` (designs of many cases).
 """
 
-from tdbd import _core
+from tdbd import _core, bit, mesh, sweep
 from tdbd.calibrations import CalibrationResult, calibrate, laboratory
 from tdbd.cases import Case, case
 from tdbd.errors import CaseError, CaseWarning, FolderError, Mistake, RunError
@@ -25,7 +27,7 @@ provenance: dict[str, str] = _core.provenance
 __version__: str = provenance["version"]
 
 __all__ = [
-    "CalibrationResult", "Case", "CaseError", "CaseWarning", "Convergence", "FilesLock", "FolderError", "Mistake", "Result",
-    "Rotation", "RotationResult", "RunError", "RunResult", "Simulation", "Surface", "calibrate", "case", "check", "converge",
-    "laboratory", "load", "provenance", "resume", "rotate", "run",
+    "CalibrationResult", "Case", "CaseError", "CaseWarning", "Convergence", "FilesLock", "FolderError", "Mistake",
+    "Result", "Rotation", "RotationResult", "RunError", "RunResult", "Simulation", "Surface", "bit", "calibrate",
+    "case", "check", "converge", "laboratory", "load", "mesh", "provenance", "resume", "rotate", "run", "sweep",
 ]

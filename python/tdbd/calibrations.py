@@ -5,11 +5,13 @@ import functools
 import json
 import os
 import re
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tdbd import _core
 from tdbd.cases import Case, of_kind
+from tdbd.errors import CaseWarning, in_python_words
 from tdbd.runs import Folder, Progress
 from tdbd.scratch import Scratch, folder_for
 
@@ -41,14 +43,29 @@ class CalibrationResult:
 
     folder: Path
 
-    def __init__(self, folder: Folder, keep: Scratch | None = None) -> None:
+    def __init__(self, folder: Folder, keep: Scratch | None = None, answer: str = "") -> None:
         self.folder = Path(folder).absolute()
         self._keep = keep
+        self.answer = answer  #: as printed in a terminal; "" for a folder of an earlier calibration
+
+    def __repr__(self) -> str:
+        state = {True: "the law fits", False: "THE LAW DOES NOT FIT", None: "not tested"}[self.fits]
+        return f"<tdbd.CalibrationResult of {self.data['law']}: {state}, in {self.folder}>"
 
     @functools.cached_property
     def data(self) -> dict[str, Any]:
         """calibration.json: coefficients with intervals, objectives, errors of fitted and withheld bits."""
         return json.loads((self.folder / "calibration.json").read_text(encoding="utf-8"))
+
+    @property
+    def fits(self) -> bool | None:
+        """Whether the law fits the readings; None without degrees of freedom. `data["fit_test"]` has the p value."""
+        return self.data["fits"]
+
+    @property
+    def worst_readings(self) -> list[dict[str, Any]]:
+        """The fitted readings that are more than two standard deviations away, at most five; the worst first."""
+        return [one for found in self.data.get("by_pressure", [self.data]) for one in found["worst_readings"]]
 
     @property
     def coefficients(self) -> dict[str, dict[str, Any]]:
@@ -77,12 +94,15 @@ def calibrate(case: Case | Folder, folder: Folder | None = None, *, cuts: Folder
 
     `cuts`: folder in which cut runs are stored and reused; the default is beside the results.
     `progress(done, total)` is called after each cut run. Ctrl-C takes effect after the current cut
-    run.
+    run. A law that does not fit the readings produces a CaseWarning.
     """
     found = of_kind(case, "calibration")
     path, keep = folder_for(folder)
-    _core.calibrate(found.checked, path, "" if cuts is None else os.fspath(cuts), force, threads, progress)
-    return CalibrationResult(path, keep)
+    place = "" if cuts is None else os.fspath(cuts)
+    answer, told = _core.calibrate(found.checked, path, place, force, threads, progress)
+    for text in told:
+        warnings.warn(in_python_words(text), CaseWarning, stacklevel=2)
+    return CalibrationResult(path, keep, answer)
 
 
 def laboratory(case: Case | Folder, file: Folder, *, cuts: Folder | None = None, force: bool = False, threads: int = 1,

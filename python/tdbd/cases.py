@@ -8,7 +8,7 @@ from typing import Any
 
 from tdbd import _core
 from tdbd.arguments import assignments
-from tdbd.errors import CaseWarning
+from tdbd.errors import CaseWarning, in_python_words
 
 _READ = {
     "drilling": _core.read_drilling,
@@ -27,10 +27,19 @@ class Case:
     overrides: tuple[str, ...]  #: "rock.edge_length=2 mm", as in --set
     checked: Any = field(repr=False)  #: the case in the compiled module
 
+    def __repr__(self) -> str:
+        changes = "".join(f", {change}" for change in self.overrides)
+        return f"<tdbd.Case of {self.title}, {self.kind}: {self.path}{changes}>"
+
     @property
     def resolved(self) -> str:
         """The case as TOML with all defaults, in SI. It is itself a case that gives the same result."""
         return self.checked.resolved
+
+    @property
+    def title(self) -> str:
+        """Name of the bit or title of the case; the kind if it has none."""
+        return getattr(self.checked, "title", "") or f"a {self.kind}"
 
     @property
     def hash(self) -> str:
@@ -69,7 +78,7 @@ def _read(path: str, overrides: list[str]) -> Case:
         _core.require_kind(path, overrides, list(_READ))
     checked = _READ[kind](path, overrides)
     for text in getattr(checked, "warnings", ()):
-        warnings.warn(text, CaseWarning, stacklevel=3)
+        warnings.warn(in_python_words(text), CaseWarning, stacklevel=3)
     return Case(kind, path, tuple(overrides), checked)
 
 

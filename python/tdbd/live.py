@@ -23,6 +23,10 @@ class Simulation(_core.Drilling):
         self.case = of_kind(case, "drilling")
         super().__init__(self.case.checked, threads)
 
+    def __repr__(self) -> str:
+        return (f"<tdbd.Simulation of {self.case.title}: step {self.steps_done} of {self.case.steps}, "
+                f"t = {self.time:.6g} s, {1e6 * self.removed_volume:.6g} cm3 removed>")
+
     @property
     def rock(self) -> Surface:
         """The current surface of the rock."""
@@ -46,6 +50,10 @@ class Rotation(_core.Rotating):
     def __init__(self, case: Case | str | os.PathLike[str]) -> None:
         self.case = of_kind(case, "rotation")
         super().__init__(self.case.checked)
+
+    def __repr__(self) -> str:
+        return (f"<tdbd.Rotation of {self.case.title}: step {self.steps_done} of {self.case.steps}, "
+                f"t = {self.time:.6g} s>")
 
     @property
     def summary(self) -> dict[str, Any]:

@@ -22,15 +22,33 @@ def _figure(columns: int) -> "Figure":
     return figure
 
 
-def bottom_hole(rock: "Surface", history: "xarray.Dataset", title: str) -> "Figure":
-    """Plots the hole from above (x to the right, y down) and the removed rock over revolutions."""
+def _hole(rock: "Surface", history: "xarray.Dataset", gage_radius: float) -> tuple[np.ndarray, float, np.ndarray]:
+    """Returns the centre and radius (m) of the hole, and which faces are inside it."""
+    place = np.column_stack([np.asarray(history["position_x"]), np.asarray(history["position_y"])])
+    centre = 0.5 * (place.min(axis=0) + place.max(axis=0))
+    radius = gage_radius + np.max(np.hypot(*(place - centre).T))
+    middle = rock.vertices[rock.faces][:, :, :2].mean(axis=1)
+    return centre, radius, np.hypot(*(middle - centre).T) <= radius
+
+
+def bottom_hole(rock: "Surface", history: "xarray.Dataset", summary: dict[str, Any]) -> "Figure":
+    """Plots the hole from above (x to the right, y down) and the removed rock over revolutions.
+
+    The rock outside the hole is left out, so that axes and colours span the hole alone.
+    """
     figure = _figure(2)
     hole, removed = figure.axes
+    centre, radius, inside = _hole(rock, history, summary["gage_radius_m"])
+    faces = rock.faces[inside] if inside.any() else rock.faces
     x, y, z = 1e3 * rock.vertices.T
-    colours = hole.tripcolor(x, y, rock.faces, z, shading="gouraud", cmap="viridis_r")
+    used = np.unique(faces)
+    bottom = z[used[np.hypot(*(rock.vertices[used, :2] - centre).T) < 0.98 * radius]]  # without the wall
+    bottom = bottom if bottom.size else z[used]
+    colours = hole.tripcolor(x, y, faces, z, shading="gouraud", cmap="viridis_r", vmin=bottom.min(), vmax=bottom.max())
     figure.colorbar(colours, ax=hole, label="depth, mm")
-    hole.set(aspect="equal", xlabel="x, mm", ylabel="y, mm", title=title)
-    hole.invert_yaxis()
+    (left, top), (right, low) = 1e3 * (centre - 1.03 * radius), 1e3 * (centre + 1.03 * radius)
+    hole.set(aspect="equal", xlabel="x, mm", ylabel="y, mm", title=summary["title"], xlim=(left, right),
+             ylim=(low, top))
     turns = np.asarray(history["rotation_angle"]) / (2 * np.pi)
     removed.plot(turns, 1e6 * np.asarray(history["removed_volume_total"]))
     removed.set(xlabel="revolutions", ylabel="rock removed, cm$^3$")

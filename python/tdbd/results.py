@@ -39,13 +39,18 @@ class Result:
 
     @functools.cached_property
     def history(self) -> "xarray.Dataset":
-        """history.nc in memory, with `units` and `long_name`. Dimensions: time and, if any, part, cutter, cone, xyz."""
+        """history.nc in memory, with `units` and `long_name`. Dimensions: time and, if any, part, cutter, cone, xyz.
+
+        Names label the dimensions: `history.sel(part="cutter-1/face")`, `history.sel(cutter="cutter-1")`.
+        """
         try:
             import xarray
         except ImportError as error:
             raise ImportError("history: found no xarray, expected it (Debian: python3-xarray, python3-netcdf4)") from error
         with _core.FilesLock():
-            return xarray.load_dataset(self.folder / "history.nc", engine="netcdf4", decode_times=False)
+            loaded = xarray.load_dataset(self.folder / "history.nc", engine="netcdf4", decode_times=False)
+        labels = {name: loaded[f"{name}_name"].values for name in loaded.dims if f"{name}_name" in loaded}
+        return loaded.assign_coords(labels)
 
 
 class RunResult(Result):
@@ -57,8 +62,8 @@ class RunResult(Result):
         return Surface(*_core.read_surface(str(self.folder / "rock_final.ply")))
 
     def plot(self) -> "Figure":
-        """Plots the bottom hole from above, coloured by depth, and the removed rock over revolutions."""
-        return plots.bottom_hole(self.rock, self.history, self.summary["title"])
+        """Plots the hole from above, coloured by depth, and the removed rock over revolutions."""
+        return plots.bottom_hole(self.rock, self.history, self.summary)
 
 
 class RotationResult(Result):

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tdbd import _core
 from tdbd.cases import Case, of_kind
-from tdbd.errors import CaseWarning
+from tdbd.errors import CaseWarning, in_python_words
 from tdbd.results import RotationResult, RunResult, load
 from tdbd.scratch import folder_for
 
@@ -17,7 +17,7 @@ Progress = Callable[[int, int], object]
 
 def _warn(told: list[str]) -> None:
     for text in told:
-        warnings.warn(text, CaseWarning, stacklevel=3)
+        warnings.warn(in_python_words(text), CaseWarning, stacklevel=3)
 
 
 def run(case: Case | Folder, folder: Folder | None = None, *, force: bool = False, threads: int = 1,

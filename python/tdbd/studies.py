@@ -33,6 +33,12 @@ class Convergence:
     data: dict[str, Any] = field(repr=False)  #: contents of convergence.json
     table: str = field(repr=False)  #: as printed in a terminal
 
+    def __repr__(self) -> str:
+        known = [f"{name} {order:.2f}" for name, order in self.orders.items() if order is not None]
+        orders = ", ".join(known[:3]) + (", ..." if len(known) > 3 else "")
+        found = f"orders {orders}" if known else "no order"
+        return f"<tdbd.Convergence over {self.data['over']}, {len(self.sizes)} levels: {found}>"
+
     @property
     def sizes(self) -> np.ndarray:
         """(levels,) Values of the first refined quantity, SI."""

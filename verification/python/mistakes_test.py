@@ -1,4 +1,4 @@
-"""Wrong input has the words of the command line, and an exception of its kind."""
+"""Wrong input has the message of the command line in the words of Python, and an exception of its kind."""
 
 import unittest
 import warnings
@@ -13,11 +13,37 @@ CALIBRATION = ROOT / "validation/cases/zijsling-share.toml"
 
 class Mistakes(FolderTest):
     def told(self, *arguments):
-        """The message of the command line for wrong input."""
+        """The message of the command line for wrong input, in the words of Python."""
         done = command(*arguments)
         self.assertEqual(done.returncode, 2, done)
         self.assertTrue(done.stderr.startswith("tdbd: "), done.stderr)
-        return done.stderr.removeprefix("tdbd: ").removesuffix("\n")
+        text = tdbd.errors.in_python_words(done.stderr.removeprefix("tdbd: ").removesuffix("\n"))
+        self.assertNotRegex(text, r"(?<![\w-])--[a-z]|tdbd (run|rotate|mesh|bit|check)\b")
+        return text
+
+    def test_messages_name_arguments_and_functions(self):
+        for told, text in (("--set: rock.edge_lenght: found an unknown key, expected edge_length", "rock.edge_lenght: found an unknown key, expected edge_length"),
+                           ("output folder a: exists; --force overwrites", "output folder a: exists; force=True overwrites"),
+                           ("--levels: found 1, expected 2 to 60", "levels: found 1, expected 2 to 60"),
+                           ("--cone-speeds: found 2 speeds", "cone_speeds: found 2 speeds"),
+                           ("a.toml: found a bit, expected a case to drill; try: tdbd bit a.toml", "a.toml: found a bit, expected a case to drill; try: tdbd.bit.read"),
+                           ("a.toml: found a drill string, expected a bit; try: tdbd string a.toml", "a.toml: found a drill string, expected a bit"),
+                           ("a: found a run of tdbd rotate, expected one of tdbd run; to resume it: tdbd rotate --resume a",
+                            "a: found a run of tdbd.rotate, expected one of tdbd.run; to resume it: tdbd.resume"),
+                           ("a.stl: to repair: tdbd mesh 'a.stl' --repair -o 'b.stl'", "a.stl: tdbd.mesh.repair may repair it"),
+                           ("a.stl: points nearly meet; try --weld 0.01 mm", "a.stl: points nearly meet; try weld=0.01 mm"),
+                           ("written by tdbd 3.1, use another folder -- or none", "written by tdbd 3.1, use another folder -- or none")):
+            self.assertEqual(tdbd.errors.in_python_words(told), text)
+
+    def test_mistakes_have_found_and_expected(self):
+        mistake = tdbd.errors._mistake("a b.toml:7: rock.edge_length: found 1 kg, expected a length in m, > 0")
+        self.assertEqual(mistake[:3], ("a b.toml", 7, "rock.edge_length"))
+        self.assertEqual((mistake.found, mistake.expected), ("1 kg", "a length in m, > 0"))
+        mistake = tdbd.errors._mistake("a.toml: found a bit, with a table [cutters], expected a case to drill; try: tdbd.bit.read")
+        self.assertEqual((mistake.file, mistake.key, mistake.found), ("a.toml", "", "a bit, with a table [cutters]"))
+        self.assertEqual(mistake.expected, "a case to drill")
+        self.assertEqual(tdbd.errors._mistake("something else")[:], ("", 0, "", "something else"))
+        self.assertEqual(tdbd.errors._mistake("something else").found, "")
 
     def test_overrides(self):
         for settings in ({"rock.edge_lenght": "2 mm"}, {"rock.edge_length": "2 kg"}, {"rock.edge_length": -1}, {"rock.edge_length": True},
@@ -34,7 +60,8 @@ class Mistakes(FolderTest):
         with self.assertRaises(tdbd.CaseError) as raised:
             tdbd.case(DRILLING, rock__edge_lenght="2 mm")
         error = raised.exception
-        self.assertEqual((error.file, error.line, error.key), ("--set", 0, "rock.edge_lenght"))
+        self.assertEqual((error.file, error.line, error.key), ("", 0, "rock.edge_lenght"))
+        self.assertEqual((error.found, error.expected), ("an unknown key", "edge_length"))
         self.assertEqual(error.mistakes[0].text, "found an unknown key, expected edge_length")
 
     def test_a_file_with_two_mistakes(self):
@@ -69,15 +96,15 @@ class Mistakes(FolderTest):
             # `tdbd check` reads strings, too.
             self.assertEqual(str(raised.exception), self.told(name, file).replace(" or a drill string", ""), name)
         for kind in (tdbd.Simulation, tdbd.run):
-            with self.assertRaisesRegex(tdbd.CaseError, "found a body to rotate, .*expected a case to drill; try: tdbd rotate"):
+            with self.assertRaisesRegex(tdbd.CaseError, "found a body to rotate, .*expected a case to drill; try: tdbd.rotate"):
                 kind(TOP)
-        with self.assertRaisesRegex(tdbd.CaseError, "found a bit, with a table .*try: tdbd bit"):
+        with self.assertRaisesRegex(tdbd.CaseError, "found a bit, with a table .*try: tdbd.bit.read"):
             tdbd.case(BIT)
 
     def test_studies(self):
-        for levels, factor, over, text in ((1, 2, "time.step", "--levels: found 1, expected 2 to 60"), (61, 2, "time.step", "--levels: found 61"),
-                                           (3, 1, "time.step", "--factor: found 1, expected a number > 1"),
-                                           (3, 2, [], "--over: found none"), (3, 2, "time.stepp", "--over: found time.stepp, expected a quantity")):
+        for levels, factor, over, text in ((1, 2, "time.step", "^levels: found 1, expected 2 to 60"), (61, 2, "time.step", "^levels: found 61"),
+                                           (3, 1, "time.step", "^factor: found 1, expected a number > 1"),
+                                           (3, 2, [], "^over: found none"), (3, 2, "time.stepp", "^over: found time.stepp, expected a quantity")):
             with self.subTest(text), self.assertRaisesRegex(tdbd.CaseError, text):
                 tdbd.converge(TOP, over, levels, factor, folder=self.folder / "a")
         self.assertFalse((self.folder / "a").exists())
@@ -118,6 +145,8 @@ class Mistakes(FolderTest):
             self.assertIsInstance(raised.exception, tdbd.FolderError)
             told = self.told("run", DRILLING, *words(QUICK), "-o", self.folder / folder, *(["--force"] if force else []))
             self.assertEqual(str(raised.exception), told)
+            self.assertEqual(raised.exception.folder, str(self.folder / folder))
+            self.assertTrue(raised.exception.reason)
         self.assertEqual((self.folder / "mine/summary.json").read_text(), "{}")
         self.assertEqual(tdbd.run(case, self.folder / "full", force=True).summary["status"], "completed")
 

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import unittest
 
-from common import DRILLING, PACKAGES, QUICK, TOP, FolderTest, command, words
+from common import CONES, DRILLING, PACKAGES, QUICK, TOP, FolderTest, command, words
 
 import numpy as np
 import tdbd
@@ -33,8 +33,26 @@ class Results(FolderTest):
         n = len(result.rock.vertices)
         self.assertEqual((result.rock.vertices.shape, result.rock.faces.shape), ((n, 3), (result.summary["rock_triangles_end"], 3)))
         self.assertIs(result.rock, result.rock)
+        faces = history["removed_volume_by_part"].sel(part="cutter-1/face")
+        self.assertEqual((faces.dims, str(history["part_kind"].sel(part="cutter-1/face").values)), (("time",), "face"))
+        self.assertRaises(KeyError, history.sel, part="cutter-1/nose")
         self.assertTrue(picture(result.plot()).startswith(b"\x89PNG"))
         self.assertIn("completed", repr(result))
+
+    def test_a_plot_is_clipped_to_the_hole(self):
+        """Axes and colours span the hole, not the block of rock around it."""
+        result = tdbd.run(tdbd.case(DRILLING, set=QUICK | {"rock.shape": "flat", "rock.radius": "160 mm"}))
+        hole = result.plot().axes[0]
+        radius = 1e3 * result.summary["gage_radius_m"]
+        rock = 1e3 * np.abs(result.rock.vertices[:, :2]).max()
+        self.assertGreater(rock, 1.3 * radius)
+        for low, high in (hole.get_xlim(), sorted(hole.get_ylim())):
+            self.assertTrue(-1.1 * radius < low < -radius and radius < high < 1.1 * radius, (low, high, radius))
+        self.assertGreater(hole.get_ylim()[0], hole.get_ylim()[1])  # y down
+
+    def test_history_is_labelled_by_cone(self):
+        result = tdbd.run(tdbd.case(CONES, set=QUICK))
+        self.assertEqual(result.history["cone_angle"].sel(cone="cone-2").dims, ("time",))
 
     def test_a_rotation(self):
         result = tdbd.rotate(tdbd.case(TOP, time__duration="2 s"))

@@ -50,6 +50,17 @@ class Stubs(unittest.TestCase):
                 if isinstance(node, ast.FunctionDef) and not any(getattr(d, "id", "") == "property" for d in node.decorator_list):
                     self.assertEqual(words_of(node), words_in(getattr(getattr(_core, kind), name).__doc__), (kind, name))
 
+    def test_modules(self):
+        """Every public function and class of the modules has a docstring."""
+        for module in (tdbd.bit, tdbd.mesh, tdbd.sweep):
+            for name, found in vars(module).items():
+                if name.startswith("_") or getattr(found, "__module__", "") != module.__name__:
+                    continue
+                self.assertTrue(found.__doc__, name)
+                for own, member in vars(found).items() if inspect.isclass(found) else ():
+                    if not own.startswith("_") and inspect.isfunction(member) or type(member) is property:
+                        self.assertTrue(member.__doc__, (name, own))
+
     def test_docstrings(self):
         for name in tdbd.__all__:
             found = getattr(tdbd, name)

@@ -44,7 +44,7 @@ COMPARE_DATA = re.compile(PLAIN_DATA.pattern + r"|(core|io|bit|forces|simulation
 # A method that does not pay, measured beside the search that is used, whose strips it shares. It is no twin.
 WALK_DATA = re.compile(PLAIN_DATA.pattern + r"|mesh/search/.+|rock/cut/swept_mesh\.hpp")
 # The Python module stands where the command line does: above all modules, beside app.
-PYTHON_DATA = re.compile(rf"({'|'.join(sorted(CALIBRATION))})/.+|python/src/.+")
+PYTHON_DATA = re.compile(rf"({'|'.join(sorted(CALIBRATION | {'sweep'}))})/.+|python/src/.+")
 CGAL_ALLOWED = re.compile(
     r"src/mesh/(files/files|repair/repair_cgal|check/self_intersections)\.cpp|benchmarks/corefinement\.cpp|reference/.+|verification/.+")
 BOOST_ALLOWED = "reference/literature/surface/planar_boolean.cpp"
@@ -149,6 +149,7 @@ def self_test():
             ("reference/literature/surface/planar_boolean.cpp", "#include <boost/polygon/polygon.hpp>"),
             ("python/src/runs.cpp", '#include "simulation/result/run.hpp"'),
             ("python/src/runs.cpp", '#include "python/src/options.hpp"'),
+            ("python/src/sweeps.cpp", '#include "sweep/sweep.hpp"'),
             ("reference/dynamics/top.cpp", '#include "dynamics/loads.hpp"')]
     bad = [("src/core/config/csv.cpp", '#include "mesh/measures.hpp"'),
            ("src/mesh/files/files.cpp", '#include "bit/bit.hpp"'),
