@@ -67,6 +67,13 @@ std::vector<LawField> law_fields(Law& law) {
       law);
 }
 
+bool uses_strength(const Law& law, PartKind kind) {
+  const bool of_one_rock =
+      std::holds_alternative<NoForce>(law) || std::holds_alternative<Detournay>(law) ||
+      std::holds_alternative<DepthOfCut>(law) || std::holds_alternative<Glowka>(law);
+  return !of_one_rock && knows(law, kind);
+}
+
 std::string_view law_name(const Law& law) {
   return std::visit([](const auto& l) { return l.name; }, law);
 }

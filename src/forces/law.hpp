@@ -60,6 +60,10 @@ std::string_view law_name(const Law& law);
 /// InputError if there is no such law.
 Law law_named(std::string_view name);
 
+/// Whether the force of a law on parts of this kind depends on the strength of the rock. If not,
+/// its coefficients are those of one rock.
+bool uses_strength(const Law& law, bit::PartKind kind);
+
 /// Whether a law applies to parts of this kind.
 bool knows(const Law& law, bit::PartKind kind);
 

@@ -291,4 +291,26 @@ TEST(ActsOn, lists_only_kinds_that_the_law_supports) {
   }
 }
 
+/// Whether the force of one of many cuts changes with the strength of the rock.
+bool feels_strength(std::string_view name, PartKind kind) {
+  constexpr int most = 200;
+  const auto trials = rc::gen::exec([=] { return any_trial(name, kind); });
+  rc::Random random(20261129);
+  for (int i = 0; i < most; ++i) {
+    Trial t = trials(random.split(), rc::kNominalSize).value();
+    const Vec3 before = force(t.law, t.cut).force;
+    t.cut.strength.unconfined *= 1.5;
+    t.cut.strength.confined *= 1.5;
+    if (force(t.law, t.cut).force != before) return true;
+  }
+  return false;
+}
+
+TEST(UsesStrength, is_true_where_a_force_changes_with_the_rock) {
+  for (const std::string_view name : law_names())
+    for (const PartKind kind : bit::part_kinds)
+      EXPECT_EQ(uses_strength(law_named(name), kind), feels_strength(name, kind))
+          << name << " on " << bit::kind_words(kind);
+}
+
 }  // namespace tdbd::forces::acts_on_test

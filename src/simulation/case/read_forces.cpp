@@ -154,14 +154,55 @@ void warn_of_unborne(const Config& c, const bit::Bit& bit, const ForcePlan& plan
   }
 }
 
+bool meets_rock(const bit::Part& p) { return final_cutting(p) != bit::Cutting::never; }
+
+/// The setting by which a case chooses a strength of the rock on purpose: properties, beds, or
+/// --set; empty if it only names a rock. Every case with forces has to name one, as a label if its
+/// law has coefficients for that rock.
+std::string chosen_strength(Config& rock) {
+  const std::string material = "material";
+  if (rock.has("layers")) return "layers";
+  if (rock.has(material) && !rock.is_text(material)) return material + ".unconfined_strength";
+  return rock.place(material).starts_with("--set") ? material : "";
+}
+
+/// Warns if the case chooses a strength on which no force depends. Parts that bear load only by
+/// accident (bodies, and pads without a law or a wall of rock) do not count.
+void warn_of_unused_strength(Config& whole, const Config& forces, const bit::Bit& bit,
+                             const ForcePlan& plan, std::vector<CaseWarning>& warnings) {
+  Config rock = whole.table(RockStart::table);
+  const std::string chosen = chosen_strength(rock);
+  if (chosen.empty()) return;
+  const auto counts = [&](PartKind kind) {
+    const bool is_pad = kind == PartKind::gage_pad;
+    const bool by_accident = is_pad || kind == PartKind::bit_body || kind == PartKind::cutter_body;
+    return !by_accident || forces.has(bit::kind_key(kind)) ||
+           (is_pad && whole.has(WallSettings::table));
+  };
+  std::vector<std::string> laws;
+  for (std::size_t i = 0; i < bit.parts.size(); ++i) {
+    const bit::Part& p = bit.parts[i];
+    if (!meets_rock(p) || !has_law(plan, bit, i) || !counts(p.kind)) continue;
+    const forces::Law& law = law_of(plan, p.kind, static_cast<int>(i));
+    if (forces::uses_strength(law, p.kind)) return;
+    const std::string name(forces::law_name(law));
+    if (std::ranges::count(laws, name) == 0) laws.push_back(name);
+  }
+  if (laws.empty()) return;
+  warnings.push_back(
+      {rock.place(chosen), fmt::format("{}.{}", RockStart::table.name, chosen),
+       fmt::format(
+           "has no effect: the law {} does not depend on the strength of the rock; change "
+           "its coefficients, or use hanson-hansen, thin-cut (faces) or indentation (teeth)",
+           fmt::join(laws, ", "))});
+}
+
 /// Quantities that follow from a section belong to a cutter whose position is known: from a table,
 /// or from meshes with the cutter's frame.
 bool needs_a_cutter(const ForcePlan& plan, PartKind kind) {
   return kind == PartKind::face ||
          (kind == PartKind::chamfer && plan.chamfer == ChamferMeasure::edge);
 }
-
-bool meets_rock(const bit::Part& p) { return final_cutting(p) != bit::Cutting::never; }
 
 /// Names the laws that act on a part of this bit, and the kinds: "a law that acts on a part of this
 /// bit (gage pad): friction".
@@ -300,6 +341,7 @@ ForcePlan read_forces(Config& whole, const bit::Bit& bit, const MeasurePlan& mea
     warn_of_idle(c, bit, common, plan, warnings);
     std::ranges::move(area_warnings, std::back_inserter(warnings));
     warn_of_unborne(whole, bit, plan, warnings);
+    warn_of_unused_strength(whole, c, bit, plan, warnings);
   }
   plan.rock = read_formation(whole.table(RockStart::table));
   return plan;
