@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/case_folder.hpp"
+#include "app/small_case.hpp"
 
 namespace tdbd::app::bad_drilling_test {
 
@@ -26,6 +26,54 @@ TEST_P(BadDrilling, is_rejected_with_its_place_and_reason) {
   const battery::Outcome o = battery::run_tdbd(arguments);
   EXPECT_EQ(o.exit_code, 2);
   EXPECT_NE(o.err.find(GetParam().message), std::string::npos) << o.err;
+}
+
+/// The small case, whose bit drills under a weight or at a rate.
+SmallCaseWithForces drilling(const std::string& axial, const std::string& string) {
+  SmallCaseWithForces c(string);
+  c.edit("case.toml", "rate_of_penetration = \"30 m/h\"", "kind = \"drilling\"\n" + axial);
+  return c;
+}
+
+const std::string weight = "weight_on_bit = \"1 kN\"", rate = "rate_of_penetration = \"3 m/h\"";
+
+/// All stiffnesses are 0 by default, and the bit would never turn.
+TEST(MissingString, is_refused_with_a_typical_one) {
+  expect_refused(
+      drilling(weight, ""),
+      "case.toml:1: string: found no table [string], so that nothing would turn the bit, "
+      "expected the string between the bit and its top drive, for example mass = \"1000 "
+      "kg\", torsional_inertia = \"10 kg m2\", bending_inertia = \"10 kg m2\", "
+      "lateral_stiffness = \"5e7 N/m\", lateral_damping = \"2e5 N s/m\", axial_damping = "
+      "\"2e5 N s/m\", torsional_stiffness = \"5000 N m/rad\", torsional_damping = \"50 N "
+      "m s/rad\", bending_stiffness = \"1e6 N m/rad\", bending_damping = \"1e3 N m "
+      "s/rad\"; `tdbd new drilling NAME` writes a complete case");
+}
+
+TEST(MissingString, without_a_stiffness_is_refused_with_its_key) {
+  expect_refused(
+      drilling(weight, "[string]\nmass = 1000\n"),
+      "case.toml:19: string.torsional_stiffness: found none, so that the string would not move the "
+      "bit, expected the stiffness through which the top turns the bit, for example \"5000 N "
+      "m/rad\" "
+      "(500 to 10 000 N m/rad), or 0 if nothing connects them; `tdbd new drilling NAME` writes a "
+      "complete case");
+  expect_refused(
+      drilling(rate, "[string]\nmass = 1000\ntorsional_stiffness = 5000\n"),
+      "case.toml:19: string.axial_stiffness: found none, so that the string would not move the "
+      "bit, "
+      "expected the stiffness through which the top, lowered at a rate, loads the bit, for example "
+      "\"1e6 N/m\" (2e5 to 1e7 N/m), or 0 if nothing connects them; `tdbd new drilling NAME` "
+      "writes "
+      "a complete case");
+}
+
+TEST(MissingString, is_accepted_if_the_case_states_that_it_is_0) {
+  EXPECT_EQ(drilling(weight, "[string]\ntorsional_stiffness = 0\n").check().exit_code, 0);
+  EXPECT_EQ(
+      drilling(rate, "[string]\ntorsional_damping = 10\naxial_stiffness = 0\n").check().exit_code,
+      0)
+      << "a damper that ends at the top turns the bit";
 }
 
 const Wrong wrongs[] = {

@@ -12,6 +12,7 @@ SHORT = {
     "bit": [],
     "pdc": ["--set", "time.revolutions=0.1", "--set", "rock.edge_length=6 mm", "--set", "output.means_from=0.01 s"],
     "cones": ["--set", "time.revolutions=0.02", "--set", "rock.edge_length=6 mm"],
+    "drilling": ["--set", "time.duration=20 ms", "--set", "rock.edge_length=6 mm"],
     "top": ["--set", "time.duration=0.1 s"],
     "sweep": ["--points"],
     "calibration": [],

@@ -44,7 +44,8 @@ struct LumpedString {
     v(axial_stiffness, {.name = "axial_stiffness",
                         .unit = "N/m",
                         .range = up_to_largest,
-                        .meaning = "against displacement along z"});
+                        .meaning = "against displacement along z; must be given if the top is "
+                                   "lowered at a rate and has no damper"});
     v(bending_stiffness, {.name = "bending_stiffness",
                           .unit = "N m/rad",
                           .range = up_to_largest,
@@ -52,7 +53,8 @@ struct LumpedString {
     v(torsional_stiffness, {.name = "torsional_stiffness",
                             .unit = "N m/rad",
                             .range = up_to_largest,
-                            .meaning = "against twist relative to the top"});
+                            .meaning = "against twist relative to the top; must be given if that "
+                                       "turns the bit and no damper does"});
     visit_damping(v);
     v(dampers_to,
       {.name = "dampers_to",

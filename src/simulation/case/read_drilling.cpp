@@ -1,6 +1,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bit/cone/cone_measures.hpp"
@@ -55,6 +56,50 @@ void add_bodies(const LumpedString& string, const bit::Bit& bit, dynamics::Drill
   s.bearing_damping.assign(cones.size(), string.bearing_damping);
   s.gyrostat = dynamics::make_gyrostat(
       body.inertia + about_z(string.bending_inertia, string.torsional_inertia), cones);
+}
+
+/// A string that turns a bit of 8.5 in, for messages. `tdbd new drilling` writes a case with it.
+constexpr const char* typical_string =
+    "mass = \"1000 kg\", torsional_inertia = \"10 kg m2\", bending_inertia = \"10 kg m2\", "
+    "lateral_stiffness = \"5e7 N/m\", lateral_damping = \"2e5 N s/m\", "
+    "axial_damping = \"2e5 N s/m\", torsional_stiffness = \"5000 N m/rad\", "
+    "torsional_damping = \"50 N m s/rad\", bending_stiffness = \"1e6 N m/rad\", "
+    "bending_damping = \"1e3 N m s/rad\"";
+
+bool turns(const dynamics::Schedule& speed) {
+  return std::ranges::any_of(speed.values, [](double w) { return w != 0.0; });
+}
+
+/// Records a mistake if the case omits what connects the bit to a top that moves: all stiffnesses
+/// are 0 by default, and such a bit would neither turn nor advance. A 0 that the case gives is
+/// accepted.
+void require_connection(Config& whole, const LumpedString& s, const dynamics::TopDrive& top) {
+  const bool has_string = whole.has(LumpedString::table);
+  const auto require = [&](Config& string, const char* key, const std::string& typical) {
+    string.problem(key, "none, so that the string would not move the bit",
+                   fmt::format("{}, or 0 if nothing connects them; `tdbd new drilling NAME` writes "
+                               "a complete case",
+                               typical));
+  };
+  const bool damped = s.dampers_to == dynamics::DamperEnd::top;
+  const bool is_turned = turns(top.speed) && !(damped && s.torsional_damping > 0.0);
+  const bool is_pushed = top.axial == dynamics::AxialMode::rate && turns(top.rate) &&
+                         !(damped && s.axial_damping > 0.0);
+  if (!has_string && (is_turned || is_pushed))
+    return whole.problem(LumpedString::table.name,
+                         "no table [string], so that nothing would turn the bit",
+                         fmt::format("the string between the bit and its top drive, for example "
+                                     "{}; `tdbd new drilling NAME` writes a complete case",
+                                     typical_string));
+  Config string = whole.table(LumpedString::table);
+  if (is_turned && !string.has("torsional_stiffness"))
+    require(string, "torsional_stiffness",
+            "the stiffness through which the top turns the bit, for example \"5000 N m/rad\" "
+            "(500 to 10 000 N m/rad)");
+  if (is_pushed && !string.has("axial_stiffness"))
+    require(string, "axial_stiffness",
+            "the stiffness through which the top, lowered at a rate, loads the bit, for example "
+            "\"1e6 N/m\" (2e5 to 1e7 N/m)");
 }
 
 /// Records a mistake if the string cannot carry the initial load that the case gives.
@@ -175,7 +220,10 @@ DrillingPlan read_drilling(Config& whole, const bit::Bit& bit, const Motion& m, 
   if (whole.has(WallSettings::table)) p.system.wall = read_wall(whole, bit.gage_radius);
   if (whole.has(RockMountSettings::table))
     p.system.rock = read_table<RockMountSettings>(whole).rock;
-  if (!is_chain) check_start(whole.table(Motion::table), m.driven, p.system.string);
+  if (!is_chain) {
+    require_connection(whole, lumped, m.driven.top);
+    check_start(whole.table(Motion::table), m.driven, p.system.string);
+  }
   if (bit.parts.empty()) return p;  // its mistakes are already recorded
   const std::size_t mistakes = whole.problem_count();
   try {

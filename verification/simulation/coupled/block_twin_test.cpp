@@ -104,10 +104,11 @@ std::array<Found, 3> levels(double coarse, const Of& of) {
 
 TEST(BlockTwin, slides_and_spins) {
   constexpr double until = 0.03, v0 = 0.2;
-  const std::string motion = "rotary_speed = \"20 rad/s\"";
-  const auto program = levels(
-      1e-3, [&](double h) { return of_program(block(motion, "", h, until), Vec3(v0, 0.0, 0.0)); });
-  const Case c = block(motion, "", 1e-3, until);
+  const std::string motion = "rotary_speed = \"20 rad/s\"", free = "torsional_stiffness = 0";
+  const auto program = levels(1e-3, [&](double h) {
+    return of_program(block(motion, free, h, until), Vec3(v0, 0.0, 0.0));
+  });
+  const Case c = block(motion, free, 1e-3, until);
   const auto twin =
       levels(8e-4, [&](double v) { return of_twin(c, Vec3(v0, 0.0, 0.0), until, v); });
   compare("way", 0, program, twin, [](const Found& f) { return f.way.x(); });

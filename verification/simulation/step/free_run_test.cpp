@@ -48,6 +48,7 @@ double lean_on_hook(const std::vector<std::string>& settings) {
   const Case c = off_bottom("bit-r",
                             "[motion]\nkind = \"drilling\"\nstart = [0, 0, \"-3 m\"]\n"
                             "rotary_speed = \"90 rpm\"\nweight_on_bit = 0\nexpected_rate = 0.5\n"
+                            "[string]\ntorsional_stiffness = 0\n"
                             "[time]\nstep = \"1 ms\"\nduration = \"0.5 s\"\n"
                             "[forces]\nlaw = \"indentation\"\n",
                             settings);
