@@ -80,6 +80,33 @@ def uncertainties():
              summary["uncertainty"][key])
 
 
+def steadiness():
+    """Means of two halves of eight batches each, and the ratio of the means of force and weight."""
+    turns = abs(h["rotary_speed"][counts].sum()) * dt / (2 * math.pi)
+    same("steady_test/revolutions", turns, found=summary["steady_test"]["revolutions"])
+    assert (summary["steady"] is None) == (turns < 0.99), summary["steady_test"]
+    drifts = []
+    for key, column in (("wob_mean_n", "weight_on_bit"), ("tob_mean_n_m", "torque_on_bit"),
+                        ("rop_mean_m_per_s", "rate_of_penetration"), ("rotary_speed_mean_rad_per_s", "rotary_speed")):
+        if summary["steady"] is None:
+            break
+        x = h[column][counts]
+        means = x[-(len(x) // 16 * 16):].reshape(2, 8, -1).mean(axis=2)
+        change = means[1].mean() - means[0].mean()
+        t = change / max(math.sqrt(means.var(axis=1, ddof=1).sum() / 8), 1e-9 * np.abs(means.mean(axis=1)).max())
+        same("steady_test/" + key, t, found=summary["steady_test"]["means"][key]["t"], within=1e-6)
+        drifts.append(abs(t) > 2.863994 and abs(change) > 0.01 * np.abs(means.mean(axis=1)).max())
+    assert summary["steady"] is None or summary["steady"] == (not any(drifts)), summary["steady_test"]
+    if summary["wob_mean_n"] > 0:
+        across = np.array([lateral_B(i) for i in np.flatnonzero(counts)])
+        along = across @ across.mean(axis=0) / np.hypot(*across.mean(axis=0))
+        error = along - summary["imbalance"] * h["weight_on_bit"][counts]
+        length = len(error) // 8
+        batches = error[-8 * length:].reshape(8, length).mean(axis=1)
+        same("uncertainty/imbalance", 2.364624 * batches.std(ddof=1) / math.sqrt(8) / summary["wob_mean_n"],
+             np.abs(error).max() / summary["wob_mean_n"], summary["uncertainty"]["imbalance"], within=1e-7)
+
+
 def displacements():
     """Means of rates are displacements over time, of the bit over the rock."""
     first = np.flatnonzero(counts)[0]
@@ -171,6 +198,7 @@ def netcdf():
 
 means()
 uncertainties()
+steadiness()
 displacements()
 figures()
 energies()

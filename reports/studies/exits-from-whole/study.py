@@ -48,7 +48,7 @@ class Compared:
                 found[name] = scale * s[key]
         return found | {"moves a step": float(h["swept_vertices"].mean()), "triangles at the end": s["rock_triangles_end"],
                         "worst quality": s["rock_quality_min"], "1 % quality": s["rock_quality_1_percent"],
-                        "bisections": s["maintenance"]["bisections"], "ledger's defect": s["volume_ledger_defect"]}
+                        "bisections": s["counters"]["maintenance"]["bisections"], "ledger's defect": s["volume_ledger_defect"]}
 
 
 def greatest_change(a, b):

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bit/cone/cone_bit.hpp"
+#include "dynamics/schedule.hpp"
 #include "rock/section/rubbing_contact.hpp"
 #include "simulation/case/doubtful_values.hpp"
 #include "simulation/result/summary.hpp"
@@ -16,8 +17,8 @@ namespace tdbd::simulation {
 namespace {
 
 std::string no_rock(const Case& c, const Simulation& s) {
-  const std::string text =
-      fmt::format("the bit removed no rock in {} steps", s.state.steps_done - c.time.first);
+  const std::string text = "the bit removed no rock in " +
+                           counted(std::to_string(s.state.steps_done - c.time.first), "step");
   const double gap = gap_along_path(c, s.state.rock.surface);
   return gap > 0.0 ? fmt::format("{}: it stays {:.3g} m or more from it", text, gap) : text;
 }
@@ -104,7 +105,47 @@ std::string lagging_sections(const Case& c, const Simulation& s) {
       severity);
 }
 
+/// Returns a warning if the mean weight on bit is not the set one, otherwise "". Without an
+/// interval of the mean nothing is known about its error.
+std::string missed_weight(const Case& c, const Simulation& s) {
+  constexpr double least = 0.01, percent = 100.0, kilo = 1e-3;
+  const double to = time_at(c.time, s.state.steps_done), mean = s.statistics.loads.wob.mean;
+  const std::optional<double> set = set_weight(c, to - s.statistics.loads.time, to);
+  const std::optional<double> interval = batch_uncertainty(s.statistics.trace.wob);
+  if (!set || !(*set > 0.0) || !interval) return "";
+  const double missed = mean - *set;
+  if (std::abs(missed) <= std::max(least * *set, *interval)) return "";
+  return fmt::format(
+      "the mean weight on bit, {:.4g} kN, differs from the set {:.4g} kN by {:+.2g} %, more than "
+      "its 95 % interval of +-{:.2g} kN: the bit still accelerates, or dampers and springs "
+      "of [string] carry the rest; run longer, or change string.axial_damping",
+      kilo * mean, kilo * *set, percent * missed / *set, kilo * *interval);
+}
+
+/// Returns a warning if means drift, otherwise "".
+std::string drifting(const Simulation& s) {
+  const SteadyState steady = steady_state(s.statistics.trace);
+  if (steady.is_steady.value_or(true)) return "";
+  return fmt::format(
+      "the run is too short for its means, which cover {}: from their first to their second half "
+      "they change, {}; run longer, or set a later output.means_from",
+      counted(fmt::format("{:.3g}", steady.revolutions), "revolution"), drifting_means(steady));
+}
+
 }  // namespace
+
+std::optional<double> set_weight(const Case& c, double from, double to) {
+  constexpr int samples = 1000;
+  const bool is_set = c.motion.kind == MotionKind::drilling && !c.drilling.system.chained &&
+                      c.drilling.system.top.axial == dynamics::AxialMode::load;
+  if (!is_set) return std::nullopt;
+  const dynamics::Schedule& load = c.drilling.system.top.load;
+  if (load.values.size() < 2) return dynamics::value_at(load, from);
+  double mean = 0.0;
+  for (int i = 0; i < samples; ++i)
+    mean += dynamics::value_at(load, from + (i + 0.5) / samples * (to - from)) / samples;
+  return mean;
+}
 
 std::vector<CaseWarning> end_warnings(const Case& c, const Simulation& s) {
   std::vector<CaseWarning> warnings;
@@ -125,9 +166,12 @@ std::vector<CaseWarning> end_warnings(const Case& c, const Simulation& s) {
           !text.empty())
         add(text);
   }
-  if (!s.state.drive || s.statistics.loads.rop.count == 0) return warnings;
-  for (const std::string& text : {fast(c, s.statistics.loads), lagging_sections(c, s)})
-    if (!text.empty()) add(text);
+  if (s.statistics.loads.rop.count == 0) return warnings;
+  if (s.state.drive)
+    for (const std::string& text :
+         {fast(c, s.statistics.loads), lagging_sections(c, s), missed_weight(c, s)})
+      if (!text.empty()) add(text);
+  if (const std::string text = drifting(s); !text.empty()) add(text);
   return warnings;
 }
 

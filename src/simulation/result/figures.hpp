@@ -54,7 +54,7 @@ nlohmann::ordered_json energy_json(const DriveFigures& figures);
 /// no order.
 nlohmann::ordered_json energy_order_json(const EnergyOrder& order);
 
-/// Returns "standing" of summary.json: the number of steps whose forces were solved for implicitly
+/// Returns "standing" of the counters of summary.json: the number of steps whose forces were solved for implicitly
 /// together with the velocity, how many of these iterations did not converge, and the longest one.
 nlohmann::ordered_json standing_json(const ImplicitStatistics& standing);
 

@@ -35,8 +35,7 @@ Json rock_json(const RunSummary& s) {
   return {{"rock_triangles_start", s.rock_triangles_start},
           {"rock_triangles_end", s.rock_triangles_end},
           {"rock_quality_min", s.rock_quality_min},
-          {"rock_quality_1_percent", s.rock_quality_1_percent},
-          {"maintenance", s.maintenance}};
+          {"rock_quality_1_percent", s.rock_quality_1_percent}};
 }
 
 /// Returns a mean over steps, or null if there were no steps.
@@ -69,6 +68,25 @@ Json numerical_json(const RunSummary& s) {
     studies.push_back(study);
   }
   return studies;
+}
+
+/// Numbers of events, most of which are 0 in a good run.
+Json counters_json(const RunSummary& s) {
+  Json counters{{"maintenance", s.maintenance}};
+  if (s.drive) counters["standing"] = standing_json(s.drive->standing);
+  if (!s.faces.empty())
+    counters["sections_refused"] = {{"deep_in_rock", s.sections_refused_deep},
+                                    {"over_the_top", s.sections_refused_over_the_top}};
+  return counters;
+}
+
+/// Adds the means of the forces, and whether they are those of a steady state.
+void put_loads(const RunSummary& s, Json& json) {
+  json.update(to_json(*s.loads));
+  if (!s.numerical.empty()) json["uncertainty"]["numerical"] = numerical_json(s);
+  json["wob_set_n"] = s.set_weight ? Json(*s.set_weight) : Json();
+  json["steady"] = s.steady.is_steady ? Json(*s.steady.is_steady) : Json();
+  json["steady_test"] = to_json(s.steady);
 }
 
 Json sections_json(const RunSummary& s) {
@@ -178,14 +196,12 @@ std::string to_json(const RunSummary& s) {
                    {"gage_radius_m", s.gage_radius}});
   json.update(removed_json(s));
   json.update(rock_json(s));
-  if (s.loads) json.update(to_json(*s.loads));
-  if (s.loads && !s.numerical.empty()) json["uncertainty"]["numerical"] = numerical_json(s);
+  if (s.loads) put_loads(s, json);
   if (s.drive) {
     json["energy"] = energy_json(*s.drive);
     const std::optional<double>& order = s.drive->order.residual.order;
     json["energy_residual_order"] = order ? Json(*order) : Json();
     json["energy_residual_order_of"] = energy_order_json(s.drive->order);
-    json["standing"] = standing_json(s.drive->standing);
     json["diagnosis"] = diagnosis_json(s.diagnosis, s.drive->expected);
   }
   if (s.string) {
@@ -194,11 +210,9 @@ std::string to_json(const RunSummary& s) {
   }
   if (!s.cones.empty()) json["cones"] = cones_json(s);
   if (!s.faces.empty()) json["sections"] = sections_json(s);
-  if (!s.faces.empty())
-    json["sections_refused"] = {{"deep_in_rock", s.sections_refused_deep},
-                                {"over_the_top", s.sections_refused_over_the_top}};
   if (!s.broken_out.empty()) json["broken_out_volume_by_cutter_m3"] = broken_out_json(s);
   if (s.wear) json["wear"] = wear_json(*s.wear);
+  json["counters"] = counters_json(s);
   return json.dump(2) + "\n";
 }
 
@@ -271,6 +285,8 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   if (c.forces.forces == Forces::on) {
     r.loads = summarize(c.bit, s.statistics.loads, to);
     r.loads->uncertainty = sampling_of(s.statistics.trace);
+    r.set_weight = set_weight(c, r.loads->from, r.loads->to);
+    r.steady = steady_state(s.statistics.trace);
   }
   if (s.state.drive) add_drive(c, s, r);
   if (r.loads && r.loads->steps > 0)

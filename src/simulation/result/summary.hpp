@@ -16,8 +16,14 @@
 #include "simulation/step/loads.hpp"
 #include "simulation/step/measure.hpp"
 #include "simulation/step/simulation.hpp"
+#include "simulation/step/steady_state.hpp"
 
 namespace tdbd::simulation {
+
+/// A number with its noun: "1 step", "2 steps", "0.4 revolutions". `number`: as printed.
+inline std::string counted(const std::string& number, const std::string& noun) {
+  return number + " " + noun + (number == "1" ? "" : "s");
+}
 
 /// Whether a run reached its end.
 enum class RunStatus { completed, interrupted };
@@ -54,9 +60,11 @@ struct RunSummary {
   double rock_quality_1_percent = 0.0;
   double gage_radius = 0.0;                 ///< m
   std::map<std::string, long> maintenance;  ///< counts by operation
-  std::vector<ConeSummary> cones;
-  std::vector<FaceSummary> faces;
-  std::optional<LoadStatisticsSummary> loads;   ///< empty: the run had no forces
+  std::vector<ConeFigures> cones;
+  std::vector<FaceFigures> faces;
+  std::optional<LoadStatisticsSummary> loads;  ///< empty: the run had no forces
+  std::optional<double> set_weight;            ///< N, mean of the set weight on bit; see set_weight
+  SteadyState steady;                          ///< if the run has forces
   std::vector<NumericalUncertainty> numerical;  ///< one for each study of the case
   Diagnosis diagnosis;                          ///< if the run has forces
   std::optional<DriveFigures> drive;            ///< if forces move the bit
@@ -78,17 +86,22 @@ struct Timing {
 };
 
 /// Increased when the meaning of a summary's key changes or a key is removed.
-inline constexpr int summary_schema = 1;
+inline constexpr int summary_schema = 2;
 
 /// Computes the results of a simulation so far.
 RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status);
+
+/// Returns the mean of the weight on bit that the case sets, N, between two times (s) of the run.
+/// Nothing if the case sets a rate, or if the weight is that at the surface of a chain.
+std::optional<double> set_weight(const Case& c, double from, double to);
 
 /// Returns warnings that only a run can detect, at `motion`: a bit body or a rubbing part that is
 /// deeper in rock than the rock's edge length and than 1 mm; a bit that removed no rock; an
 /// unrealistic mean advance of a bit that forces move (in one revolution or in one step more than
 /// the width of its narrowest cutting part, so that its body would have to cut); stick-slip with
-/// sections that are not extrapolated to the faces. They depend on the case and the contents of a
-/// checkpoint only.
+/// sections that are not extrapolated to the faces; a mean weight on bit that differs from the set
+/// one by more than 1 % and than its confidence interval; means that drift (steady_state). They
+/// depend on the case and the contents of a checkpoint only.
 std::vector<CaseWarning> end_warnings(const Case& c, const Simulation& s);
 
 /// Returns the beginning of every summary: schema, command, title, status, provenance.

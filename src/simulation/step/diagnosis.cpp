@@ -139,6 +139,7 @@ void reserve(Trace& t, long steps) {
   t.rop.reserve(count);
   t.rotary_speed.reserve(count);
   t.centre_W.reserve(count);
+  t.force_B.reserve(count);
 }
 
 double strongest_frequency(const std::vector<double>& samples, double dt) {

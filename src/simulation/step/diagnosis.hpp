@@ -15,10 +15,11 @@ struct Trace {
   std::vector<double> rop;                ///< m/s
   std::vector<double> rotary_speed;       ///< rad/s
   std::vector<Eigen::Vector2d> centre_W;  ///< m, origin of the bit
+  std::vector<Eigen::Vector2d> force_B;   ///< N, across the bit's axis, in the frame of the bit
 
   template <class Archive>
   void serialize(Archive& a) {
-    a(dt, wob, tob, rop, rotary_speed, centre_W);
+    a(dt, wob, tob, rop, rotary_speed, centre_W, force_B);
   }
 };
 

@@ -162,12 +162,11 @@ Json part_json(const PartLoadFigures& p) {
 /// Keys are those of the means.
 Json uncertainty_json(const SamplingUncertainty& u) {
   const auto known = [](const std::optional<double>& x) { return x ? Json(*x) : Json(); };
-  return {{"wob_mean_n", known(u.wob)},
-          {"tob_mean_n_m", known(u.tob)},
-          {"rop_mean_m_per_s", known(u.rop)},
-          {"rotary_speed_mean_rad_per_s", known(u.rotary_speed)},
-          {"of", "sampling"},
-          {"coverage", sampling_coverage}};
+  return {
+      {"wob_mean_n", known(u.wob)},       {"tob_mean_n_m", known(u.tob)},
+      {"rop_mean_m_per_s", known(u.rop)}, {"rotary_speed_mean_rad_per_s", known(u.rotary_speed)},
+      {"imbalance", known(u.imbalance)},  {"of", "sampling"},
+      {"coverage", sampling_coverage}};
 }
 
 Json to_json(const LoadStatisticsSummary& f) {
@@ -265,6 +264,7 @@ void add(const LoadedStep& step, Trace& t) {
   t.rop.push_back(step.rates.penetration);
   t.rotary_speed.push_back(step.rates.rotary);
   t.centre_W.emplace_back(step.X_WB.p.head<2>());
+  t.force_B.emplace_back((step.X_WB.R.transpose() * step.loads.force_W).head<2>());
 }
 
 std::optional<double> batch_uncertainty(const std::vector<double>& samples) {
@@ -283,9 +283,24 @@ std::optional<double> batch_uncertainty(const std::vector<double>& samples) {
   return student_t * deviation(means) / std::sqrt(n - 1.0);  // deviation divides by n
 }
 
+std::optional<double> imbalance_uncertainty(const Trace& t) {
+  const double weight = std::accumulate(t.wob.begin(), t.wob.end(), 0.0);
+  const Eigen::Vector2d across =
+      std::accumulate(t.force_B.begin(), t.force_B.end(), Eigen::Vector2d(0.0, 0.0));
+  if (t.force_B.size() != t.wob.size() || !(weight > 0.0) || !(across.norm() > 0.0))
+    return std::nullopt;
+  const double ratio = across.norm() / weight;
+  std::vector<double> errors(t.wob.size());
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    errors[i] = t.force_B[i].dot(across) / across.norm() - ratio * t.wob[i];
+  const std::optional<double> half_width = batch_uncertainty(errors);
+  if (!half_width) return std::nullopt;
+  return *half_width * static_cast<double>(t.wob.size()) / weight;
+}
+
 SamplingUncertainty sampling_of(const Trace& t) {
   return {batch_uncertainty(t.wob), batch_uncertainty(t.tob), batch_uncertainty(t.rop),
-          batch_uncertainty(t.rotary_speed)};
+          batch_uncertainty(t.rotary_speed), imbalance_uncertainty(t)};
 }
 
 MeanAndDeviation summarize(const RunningVariance& s) { return {s.mean, deviation(s)}; }

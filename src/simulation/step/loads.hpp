@@ -111,6 +111,7 @@ inline constexpr double sampling_coverage = 0.95;
 /// converge`).
 struct SamplingUncertainty {
   std::optional<double> wob, tob, rop, rotary_speed;  ///< N, N m, m/s, rad/s
+  std::optional<double> imbalance;                    ///< 1
 };
 
 /// Statistics of one part of the bit.
@@ -190,6 +191,14 @@ LoadStatisticsSummary summarize(const bit::Bit& bit, const LoadStatistics& stati
 /// samples that do not fill a batch are omitted. Nothing for fewer than eight samples. (Schmeiser,
 /// Oper. Res. 30:556, 1982.)
 std::optional<double> batch_uncertainty(const std::vector<double>& samples);
+
+/// Half-width of the confidence interval of the imbalance r = |L|/W, with the means L of the force
+/// across the axis and W of the weight: that of the mean of (L_i . L/|L| - r W_i)/W over the steps,
+/// the error of a ratio of means to first order (Cochran, Sampling Techniques, 1977, section 2.11).
+/// Nothing for fewer than eight steps, without weight, or without a force across the axis.
+std::optional<double> imbalance_uncertainty(const Trace& trace);
+
+/// Half-widths for all means of a trace.
 SamplingUncertainty sampling_of(const Trace& trace);
 
 }  // namespace tdbd::simulation

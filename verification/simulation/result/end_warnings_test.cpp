@@ -81,6 +81,57 @@ TEST(EndWarnings, report_sections_ahead_of_the_faces_of_a_bit_that_sticks_and_sl
   EXPECT_EQ(of_swings(0.51, "extrapolated"), Texts{});
 }
 
+/// Of a bit under a set weight of 30 kN, after 64 steps that alternate by `swing` (N) about `weight`
+/// (N), to which `rise` (N) is added in the second half.
+Texts of_weights(double weight, double swing, double rise) {
+  const Case c = drilling({});
+  Simulation s = start(c);
+  s.state.steps_done = c.time.steps;
+  s.state.ledger.removed.add(1e-6);
+  s.statistics.loads.rop = {.count = 64, .mean = 5e-3};
+  s.statistics.loads.rotary_speed = {.count = 64, .mean = 12.0};
+  s.statistics.loads.wob = {.count = 64, .mean = weight + 0.5 * rise};
+  Trace& t = s.statistics.trace;
+  t.dt = 0.1;
+  for (int i = 0; i < 64; ++i) {
+    t.wob.push_back(weight + (i / 4 % 2 == 0 ? swing : -swing) + (i < 32 ? 0.0 : rise));
+    t.tob.push_back(2e3);
+    t.rop.push_back(5e-3);
+    t.rotary_speed.push_back(12.0);
+    t.centre_W.emplace_back(0.0, 0.0);
+    t.force_B.emplace_back(0.0, 0.0);
+  }
+  Texts found;
+  for (const CaseWarning& w : end_warnings(c, s)) found.push_back(w.text);
+  return found;
+}
+
+/// By more than one per cent, and by more than the interval of the mean.
+TEST(EndWarnings, report_a_weight_that_is_not_the_set_one) {
+  EXPECT_EQ(of_weights(30.2e3, 0.0, 0.0), Texts{});
+  EXPECT_EQ(of_weights(28e3, 0.0, 0.0),
+            Texts{"the mean weight on bit, 28 kN, differs from the set 30 kN by -6.7 %, more than "
+                  "its 95 % interval of +-0 kN: the bit still accelerates, or dampers and springs "
+                  "of [string] carry the rest; run longer, or change string.axial_damping"});
+}
+
+TEST(EndWarnings, report_means_that_drift) {
+  EXPECT_EQ(of_weights(30e3, 100.0, 0.0), Texts{});
+  EXPECT_EQ(of_weights(28e3, 100.0, 4e3),
+            Texts{"the run is too short for its means, which cover 12.2 revolutions: from their "
+                  "first to their second half they change, the weight on bit by +12 %; run "
+                  "longer, or set a later output.means_from"});
+}
+
+TEST(SetWeight, is_the_mean_of_a_table_over_time) {
+  const Case c =
+      drilling({"motion.weight_on_bit={times=[0, 2e-3], values=[1e4, 3e4], between='linear'}"});
+  EXPECT_NEAR(*set_weight(c, 0.0, 4e-3), 25e3, 25e3 * 1e-5) << "held at its last value";
+  EXPECT_EQ(set_weight(drilling({}), 0.0, 4e-3), 30e3);
+  EXPECT_EQ(set_weight(read_case(TDBD_SOURCE_DIR "/cases/bit-b-3000psi.toml", {}), 0.0, 1.0),
+            std::nullopt);
+}
+
 TEST(EndWarnings, report_an_advance_that_steps_do_not_resolve) {
   EXPECT_EQ(
       texts(drilling({}), 19.0, 12.0, 1e-6),

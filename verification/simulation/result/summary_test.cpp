@@ -62,14 +62,15 @@ TEST(Summary, contains_the_names_that_scripts_use) {
                           "rock_quality_min",
                           "rock_quality_1_percent",
                           "gage_radius_m",
-                          "maintenance"})
+                          "counters"})
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["command"], "run");
   EXPECT_EQ(json["title"], "a \"quoted\" case");
   EXPECT_EQ(json["case_hash"], "abc");
   EXPECT_EQ(json["status"], "interrupted");
   EXPECT_EQ(json["version"], provenance().version);
-  EXPECT_EQ(json["maintenance"]["flips"], 7);
+  EXPECT_EQ(json["counters"]["maintenance"]["flips"], 7);
+  EXPECT_FALSE(json.contains("maintenance")) << "counters have an object of their own";
 }
 
 TEST(Summary, parts_stay_in_the_order_of_the_bit) {
@@ -81,7 +82,7 @@ TEST(Summary, without_parts_the_volumes_are_an_empty_object) {
   const Json json = Json::parse(to_json(RunSummary{}));
   EXPECT_TRUE(json["removed_volume_by_part_m3"].is_object());
   EXPECT_TRUE(json["removed_volume_by_revolution_m3"].is_array());
-  EXPECT_TRUE(json["maintenance"].is_object());
+  EXPECT_TRUE(json["counters"]["maintenance"].is_object());
 }
 
 TEST(Summary, timing_contains_what_depends_on_the_machine) {
