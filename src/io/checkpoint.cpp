@@ -173,6 +173,13 @@ void remove_checkpoints(const OutputFolder& folder) {
     for (const fs::path& name : {file, partial_path(file)}) fs::remove(name, ignored);
 }
 
+void keep_newest_checkpoint(const OutputFolder& folder) {
+  std::error_code ignored;
+  for (const fs::path& file : {folder.new_checkpoint(), folder.previous_checkpoint()})
+    for (const fs::path& name : {file, partial_path(file)})
+      if (fs::exists(folder.checkpoint(), ignored)) fs::remove(name, ignored);
+}
+
 bool read_newest_checkpoint(const OutputFolder& folder,
                             const std::function<long(const fs::path&)>& read,
                             const CheckpointKeeper::Warn& warn) {

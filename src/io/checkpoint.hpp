@@ -118,6 +118,10 @@ class CheckpointKeeper {
 /// Removes the checkpoints of a folder and the logs of its rows.
 void remove_checkpoints(const OutputFolder& folder);
 
+/// Removes all checkpoints of a folder but the newest, and keeps the logs of its rows, so that a
+/// complete run can continue to a later end.
+void keep_newest_checkpoint(const OutputFolder& folder);
+
 /// Reads the newest readable checkpoint of a folder. `read` returns the number of completed steps,
 /// and throws RunError if the file is incomplete. Returns false if there is no checkpoint. Calls
 /// `warn` if the newest one is incomplete and an older one is used. Throws InputError if none can

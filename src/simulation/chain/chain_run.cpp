@@ -195,6 +195,8 @@ class ChainRecorder {
 };
 
 struct ChainTask {
+  static constexpr ResultKind kind = ResultKind::chain;
+
   ChainTask(const ChainCase& of, ChainSimulation& started, const OutputFolder& folder)
       : c(of), s(started), steps(c, s), recorder(c, s, folder) {}
 

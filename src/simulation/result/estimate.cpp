@@ -30,7 +30,8 @@ double history_bytes(const Case& c, double steps) {
   const double rows = steps / static_cast<double>(c.output.history_every);
   constexpr double whole = 8.0, window = 2.0;  // a number; single and deflated
   const double per_number = c.output.history_every > 1 ? window : whole;
-  return rows * (per_number * numbers + csv_per_number * bit_level_columns);
+  const double kept = c.output.checkpoint_every != 0 ? whole : 0.0;  // history.rows
+  return rows * ((per_number + kept) * numbers + csv_per_number * bit_level_columns);
 }
 
 /// Returns the size of the profiles of a string on a chain.

@@ -145,12 +145,12 @@ History::History(const std::filesystem::path& path, const std::vector<HistoryPar
       record_(path, layout_) {}
 
 void History::take(const HistoryRow& step) {
-  numbers_of(step, extent_, numbers_);
-  if (numbers_.size() != steps_.row_width())
-    throw RunError(fmt::format("a step of {} numbers in a history of {}", numbers_.size(),
+  numbers_of(step, extent_, window_.last);
+  if (window_.last.size() != steps_.row_width())
+    throw RunError(fmt::format("a step of {} numbers in a history of {}", window_.last.size(),
                                steps_.row_width()));
   if (rows_ == Rows::of_windows)
-    take_up(numbers_, window_);
+    take_up(window_.last, window_);
   else
     window_.steps = 1;
 }
@@ -158,9 +158,9 @@ void History::take(const HistoryRow& step) {
 bool History::write() {
   if (window_.steps == 0) return false;
   if (rows_ == Rows::of_windows)
-    row_of_window(steps_, numbers_, window_, row_);
+    row_of_window(steps_, window_.last, window_, row_);
   else
-    row_ = numbers_;
+    row_ = window_.last;
   window_.steps = 0;
   record_.append(row_);
   return true;

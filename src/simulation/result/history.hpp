@@ -15,10 +15,11 @@ namespace tdbd::simulation {
 struct HistoryWindow {
   long steps = 0;
   std::vector<double> sum, least, greatest;
+  std::vector<double> last;  ///< of the last step
 
   template <class Archive>
   void serialize(Archive& a) {
-    a(steps, sum, least, greatest);
+    a(steps, sum, least, greatest, last);
   }
 };
 
@@ -75,7 +76,7 @@ class History {
   RecordLayout steps_, layout_;  ///< layout of a step, and of a row
   Record record_;
   HistoryWindow window_;
-  std::vector<double> numbers_, row_;  ///< of the last step; members so that no step allocates
+  std::vector<double> row_;  ///< a member so that no step allocates
 };
 
 /// The contents of a run's history: its parts, the other columns, and what a row represents.

@@ -130,16 +130,20 @@ void DrillingRecorder::restore(const WrittenSoFar& written) {
     order_ = written.order;
 }
 
-/// Writes a row of the history at the given interval, and one for the remaining steps at the end.
+void DrillingRecorder::write_row() {
+  if (history_.write()) keeper_.append(history_.last_row());
+}
+
+/// Writes a row of the history at the given interval. The row of the remaining steps at the end is
+/// written after the last checkpoint, because a run with a later end does not have it.
 void DrillingRecorder::record() {
   const long steps = s_.state.steps_done;
   take_step(c_, s_, history_);
-  if ((steps % c_.output.history_every == 0 || steps == c_.time.steps) && history_.write())
-    keeper_.append(history_.last_row());
+  if (steps % c_.output.history_every == 0) write_row();
   record_profile();
   if (c_.output.frames_every > 0 && steps % c_.output.frames_every == 0)
     frames_.add(case_now(c_, s_.work), s_);
-  if (keeper_.is_due(steps)) keep_checkpoint();
+  if (steps == c_.time.steps || keeper_.is_due(steps)) keep_checkpoint();
 }
 
 /// Writes a profile of the string at the given interval, including the start.
@@ -163,7 +167,10 @@ void DrillingRecorder::keep_checkpoint() {
 }
 
 void DrillingRecorder::close(RunStatus status) {
-  if (status == RunStatus::interrupted) keep_checkpoint();
+  if (status == RunStatus::interrupted)
+    keep_checkpoint();
+  else
+    write_row();
   history_.close();
   if (profiles_) profiles_->close();
   frames_.write_final(case_now(c_, s_.work), s_);

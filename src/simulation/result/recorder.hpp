@@ -100,6 +100,7 @@ class DrillingRecorder {
   void keep_so_far(const std::exception& failure);
 
  private:
+  void write_row();
   void record_profile();
   void keep_checkpoint();
 

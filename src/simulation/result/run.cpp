@@ -44,8 +44,16 @@ bool tidy_if_finished(const fs::path& folder) {
   std::ifstream in(folder / "summary.json");
   const auto summary = nlohmann::json::parse(in, nullptr, false);
   const bool is_finished = summary.is_object() && summary.value("status", "") == "completed";
-  if (is_finished) remove_checkpoints({folder});
+  if (is_finished)
+    tidy({folder}, summary.value("command", "") == "run" ? ResultKind::run : ResultKind::rotate);
   return is_finished;
+}
+
+void tidy(const OutputFolder& folder, ResultKind kind) {
+  if (kind == ResultKind::run)
+    keep_newest_checkpoint(folder);
+  else
+    remove_checkpoints(folder);
 }
 
 namespace {

@@ -87,6 +87,10 @@ RunStatus run_loop(Steps& steps, const Options& o) {
   return run_loop(steps, o, none, step_seconds);
 }
 
+/// Removes the checkpoints of a complete run, except the last one of a run that drills, which can
+/// continue to a later end (extend_run).
+void tidy(const OutputFolder& folder, ResultKind kind);
+
 /// Runs a task and completes its result folder, the summary last. An interruption saves a
 /// checkpoint. If a step or a write fails, the records so far are kept as far as they can be
 /// written, the reason is written to failure.txt, and RunError is thrown.
@@ -109,7 +113,7 @@ RunStatus complete(Task& task, const OutputFolder& folder, const Options& o) {
   const double wall = seconds_since(started);
   write_text(folder.timing(), to_json(timing_of(std::move(step_seconds), wall, o.threads)));
   write_text(folder.summary(), task.summary(status));
-  if (status == RunStatus::completed) remove_checkpoints(folder);
+  if (status == RunStatus::completed) tidy(folder, Task::kind);
   return status;
 }
 
@@ -152,8 +156,8 @@ enum class Stopped { run, rotate };
 /// there is none, or if it belongs to another command, which the message names.
 std::filesystem::path stopped_case(const std::filesystem::path& folder, Stopped command);
 
-/// Returns whether the folder contains the result of a completed run. If so, removes checkpoints,
-/// which remain if the process was killed just before it removed them.
+/// Returns whether the folder contains the result of a completed run. If so, calls `tidy`, because
+/// older checkpoints remain if the process was killed just before it removed them.
 bool tidy_if_finished(const std::filesystem::path& folder);
 
 /// Options of a drilling run. `progress` is called after every step with the total number of steps.

@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, Checkpoints, ::testing::ValuesIn(restarted_cases
 
 TEST(Checkpoint, keeps_what_was_written) {
   const Case c = restarted_case(restarted_cases().front());
-  const HistoryWindow window{3, {1.5, 2.5}, {0.5, 0.75}, {1.0, 1.25}};
+  const HistoryWindow window{3, {1.5, 2.5}, {0.5, 0.75}, {1.0, 1.25}, {0.75, 1.0}};
   WrittenSoFar written{7,
                        window,
                        {{0.5, "frames/rock-000500.vtp"}},
