@@ -38,7 +38,7 @@ SmallCaseWithForces drilling(const std::string& axial, const std::string& string
 const std::string weight = "weight_on_bit = \"1 kN\"", rate = "rate_of_penetration = \"3 m/h\"";
 
 /// All stiffnesses are 0 by default, and the bit would never turn.
-TEST(MissingString, is_refused_with_a_typical_one) {
+TEST(MissingString, is_rejected_with_a_typical_one) {
   expect_refused(
       drilling(weight, ""),
       "case.toml:1: string: found no table [string], so that nothing would turn the bit, "
@@ -50,7 +50,7 @@ TEST(MissingString, is_refused_with_a_typical_one) {
       "s/rad\"; `tdbd new drilling NAME` writes a complete case");
 }
 
-TEST(MissingString, without_a_stiffness_is_refused_with_its_key) {
+TEST(MissingString, without_a_stiffness_is_rejected_with_its_key) {
   expect_refused(
       drilling(weight, "[string]\nmass = 1000\n"),
       "case.toml:19: string.torsional_stiffness: found none, so that the string would not move the "

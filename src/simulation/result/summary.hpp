@@ -60,8 +60,8 @@ struct RunSummary {
   double rock_quality_1_percent = 0.0;
   double gage_radius = 0.0;                 ///< m
   std::map<std::string, long> maintenance;  ///< counts by operation
-  std::vector<ConeFigures> cones;
-  std::vector<FaceFigures> faces;
+  std::vector<ConeSummary> cones;
+  std::vector<FaceSummary> faces;
   std::optional<LoadStatisticsSummary> loads;  ///< empty: the run had no forces
   std::optional<double> set_weight;            ///< N, mean of the set weight on bit; see set_weight
   SteadyState steady;                          ///< if the run has forces

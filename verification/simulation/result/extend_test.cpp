@@ -106,7 +106,7 @@ TEST_F(ExtendedOne, a_call_that_was_killed_is_repeated) {
   EXPECT_EQ(resume_run(extend_run(folder, set, {}), {.folder = folder}).steps, 100);
 }
 
-TEST_F(ExtendedOne, refuses_what_would_change_the_steps_that_are_done) {
+TEST_F(ExtendedOne, rejects_what_would_change_the_steps_that_are_done) {
   run(c, {.folder = folder});
   const auto files = result_files(folder);
   EXPECT_EQ(message_of(folder, {"rock.edge_length=2 mm"}),
@@ -125,7 +125,7 @@ TEST_F(ExtendedOne, refuses_what_would_change_the_steps_that_are_done) {
   EXPECT_EQ(result_files(folder), files) << "nothing was changed";
 }
 
-TEST_F(ExtendedOne, refuses_a_complete_run_without_a_checkpoint) {
+TEST_F(ExtendedOne, rejects_a_complete_run_without_a_checkpoint) {
   const Case without = restarted_case({"", "bit-b-3000psi", {}, ""},
                                       {"time.revolutions=0.02", "output.checkpoint_every=0"});
   run(without, {.folder = folder});
