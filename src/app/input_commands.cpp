@@ -25,6 +25,8 @@
 namespace tdbd::app {
 namespace {
 
+using simulation::counted;
+
 namespace fs = std::filesystem;
 
 struct NewArguments {
@@ -83,11 +85,12 @@ void add_new(CLI::App& app, int& exit_code) {
       ->type_name(fmt::format("{{{}}}", fmt::join(kinds(), ",")));
   command->add_option("name", a->folder, "name of the new folder")->required()->type_name(a_folder);
   command->footer(
-      "pdc: a PDC bit drills; bit: a bit file with a cutter table to start your own from; cones: "
+      "pdc: a PDC bit with a given motion; bit: a bit file with a cutter table to start from; "
+      "cones:\n"
+      "a roller cone bit with a given motion; drilling: a PDC bit on a string under a weight; top: "
       "a\n"
-      "roller cone bit drills; top: a heavy top; sweep: a design of many cases; calibration: "
-      "measured\n"
-      "readings and a law to fit. All files are in the new folder.\n"
+      "heavy top; sweep: a design of many cases; calibration: measured readings and a law to fit.\n"
+      "All files are in the new folder.\n"
       "Example: tdbd new pdc first");
   command->callback([a, &exit_code] { exit_code = guarded([&] { return write_new(*a); }); });
 }
@@ -119,7 +122,8 @@ void print_estimate(const simulation::RunEstimate& e) {
   print_out("about {} triangles at the end, {} of memory, {} on disk", rounded(e.triangles),
             bytes_text(e.memory_bytes), bytes_text(e.disk_bytes));
   if (e.steps_tried > 0)
-    print_out(", {} on this machine (from {} trial steps)", time_text(e.seconds), e.steps_tried);
+    print_out(", {} on this machine (from {})", time_text(e.seconds),
+              counted(std::to_string(e.steps_tried), "trial step"));
   print_out("\n");
 }
 
@@ -128,24 +132,28 @@ void check_run(const std::string& file, const std::vector<std::string>& override
   simulation::Simulation s = simulation::start(c);
   print_warnings(c.warnings);
   print_warnings(simulation::reach_warnings(c, s.state.rock.surface));
-  print_out("{}: valid; {} parts, {} triangles of rock, {} steps of {} s\n", file,
-            c.bit.parts.size(), s.state.start_triangles, c.time.steps, c.time.step);
+  print_out("{}: valid; {}, {} triangles of rock, {} of {} s\n", file,
+            counted(std::to_string(c.bit.parts.size()), "part"), s.state.start_triangles,
+            counted(std::to_string(c.time.steps), "step"), c.time.step);
   print_estimate(simulation::estimate(c, s));
 }
 
 void check_rotate(const std::string& file, const std::vector<std::string>& overrides) {
   const simulation::RotateCase c = simulation::read_rotate_case(file, overrides);
   const simulation::RotateSimulation s = simulation::start(c);
-  print_out("{}: valid; {} cones, {} steps of {} s, energy {:.6g} J\n", file, c.body.cones.size(),
-            c.time.steps, c.time.step, s.invariants.energy);
+  print_warnings(c.warnings);
+  print_out("{}: valid; {}, {} of {} s, energy {:.6g} J\n", file,
+            counted(std::to_string(c.body.cones.size()), "cone"),
+            counted(std::to_string(c.time.steps), "step"), c.time.step, s.invariants.energy);
 }
 
 void check_string(const std::string& file, const std::vector<std::string>& overrides) {
   const simulation::ChainCase c = simulation::read_chain_case(file, overrides);
   simulation::start_chain(c);
   print_warnings(c.warnings);
-  print_out("{}: valid; {} elements of {:.4g} m, {} steps of {} s\n", file, c.plan.chain.count(),
-            c.plan.chain.elements.length, c.time.steps, c.time.step);
+  print_out("{}: valid; {} of {:.4g} m, {} of {} s\n", file,
+            counted(std::to_string(c.plan.chain.count()), "element"), c.plan.chain.elements.length,
+            counted(std::to_string(c.time.steps), "step"), c.time.step);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include "app/arguments.hpp"
@@ -9,39 +10,61 @@
 #include "core/error.hpp"
 #include "simulation/case/case_kind.hpp"
 #include "simulation/chain/chain_run.hpp"
+#include "simulation/result/answer.hpp"
+#include "simulation/result/extend.hpp"
 #include "simulation/result/run.hpp"
 #include "simulation/rotate/rotate_run.hpp"
 
 namespace tdbd::app {
 namespace {
 
+using simulation::counted;
+
 struct RunArguments : ResultArguments {
   int threads = 1;
+  bool field_units = false;
 };
 
-void print_energy(const simulation::DriveFigures& d) {
-  const dynamics::ResidualOrder& order = d.order.residual;
-  print_out("energy: {:.1f} J from the top, residual {:.2e} J, its order {}\n", d.ledger.top,
-            dynamics::residual(d.stored, d.ledger),
-            order.order ? fmt::format("{:.3f} in the time step", *order.order)
-                        : "not observed: " + order.reason);
+/// "done" or "interrupted".
+const char* status_word(simulation::RunStatus status) {
+  return status == simulation::RunStatus::completed ? "done" : "interrupted";
 }
 
-void print_summary(const simulation::RunSummary& s, const std::string& folder, bool has_frames) {
-  print_out("{}: {} steps, {:.3f} revolutions, {:.4f} cm3 removed, ledger defect {:.1e}\n",
-            s.status == simulation::RunStatus::completed ? "done" : "interrupted", s.steps,
-            s.revolutions, 1e6 * s.removed_volume, s.volume_ledger_defect);
-  for (const simulation::ConeSummary& c : s.cones)
+/// What is saved of an interrupted run of `command`, after so many of its steps, and how to resume
+/// it.
+void print_interruption(const char* command, const std::string& folder, long done, long all) {
+  const bool has_checkpoint = std::filesystem::exists(OutputFolder{folder}.checkpoint());
+  print_out("saved: the results so far, {}\n",
+            has_checkpoint ? fmt::format("and a checkpoint; {} of {} steps are done", done, all)
+                           : "but no checkpoint: the resumed run begins at its start");
+  print_out("to resume: tdbd {} --resume {}\n", command, folder);
+}
+
+/// An end twice as late, for a run whose means drift.
+void print_longer_run(const simulation::RunSummary& s, const simulation::Case& c,
+                      const std::string& folder) {
+  if (s.status != simulation::RunStatus::completed || s.steady.is_steady.value_or(true)) return;
+  print_out("to run longer: tdbd run --resume {} --set time.duration='{:.4g} s'\n", folder,
+            2.0 * simulation::time_at(c.time, c.time.steps));
+}
+
+void print_summary(const simulation::RunSummary& s, const simulation::Case& c,
+                   const std::string& folder, simulation::AnswerUnits units) {
+  print_out("{}: {}, {:.3f} revolutions, {} removed, ledger defect {:.1e}\n", status_word(s.status),
+            counted(std::to_string(s.steps), "step"), s.revolutions,
+            simulation::volume_text(s.removed_volume, units), s.volume_ledger_defect);
+  for (const std::string& line : simulation::answer_lines(s, units)) print_out("{}\n", line);
+  for (const simulation::ConeSummary& cone : s.cones)
     print_out(
         "{}: {:.4f} of the bit's speed (steps {:.4f} to {:.4f}, std {:.4f}); its gage row rolls at "
         "{:.4f}: net slip {:+.2f} %\n",
-        c.name, c.mean_speed_ratio, c.min_speed_ratio, c.max_speed_ratio, c.std_speed_ratio,
-        c.rolling_ratio_gage_row, 100.0 * c.net_slip_gage_row);
-  if (s.drive) print_energy(*s.drive);
+        cone.name, cone.mean_speed_ratio, cone.min_speed_ratio, cone.max_speed_ratio,
+        cone.std_speed_ratio, cone.rolling_ratio_gage_row, 100.0 * cone.net_slip_gage_row);
   print_out("results in {}\n", folder);
   if (s.status == simulation::RunStatus::interrupted)
-    print_out("to resume: tdbd run --resume {}\n", folder);
-  if (has_frames) print_out("to view it: tdbd page {}\n", folder);
+    print_interruption("run", folder, c.time.first + s.steps, c.time.steps);
+  print_longer_run(s, c, folder);
+  if (c.output.frames_every > 0) print_out("to view it: tdbd page {}\n", folder);
 }
 
 std::string detail_of(const simulation::Simulation& s) {
@@ -49,38 +72,39 @@ std::string detail_of(const simulation::Simulation& s) {
                      1e6 * s.state.ledger.removed.value());
 }
 
-/// Drills with progress and a summary, unless `quiet` is set.
+/// Drills with warnings and, unless `quiet` is set, progress and a summary.
 template <class Drill>
 int show(const RunArguments& a, const simulation::Case& c, simulation::RunOptions options,
          Drill&& drill) {
   Progress progress;
   options.threads = a.threads;
-  if (!a.quiet) {
-    options.tell = [](const simulation::CaseWarning& w) { print_warnings({w}); };
+  options.tell = [](const simulation::CaseWarning& w) { print_warnings({w}); };
+  if (!a.quiet)
     options.progress = [&](const simulation::Simulation& s, long total) {
       if (progress.is_due(s.state.steps_done, total))
         progress.show(s.state.steps_done, total, detail_of(s));
     };
-  }
   const simulation::RunSummary summary = drill(options);
-  if (!a.quiet) {
-    progress.finish();
-    print_warnings(summary.found_at_end);
-    print_summary(summary, options.folder.string(), c.output.frames_every > 0);
-  }
+  if (!a.quiet) progress.finish();
+  print_warnings(summary.found_at_end);
+  if (!a.quiet)
+    print_summary(summary, c, options.folder.string(),
+                  a.field_units ? simulation::AnswerUnits::field : simulation::AnswerUnits::metric);
   return summary.status == simulation::RunStatus::completed ? 0 : interrupted_code;
 }
 
 int run(const RunArguments& a) {
   simulation::require_kind(a.case_file, a.overrides, {simulation::CaseKind::drilling});
   const simulation::Case c = simulation::read_case(a.case_file, a.overrides);
-  if (!a.quiet) print_warnings(c.warnings);
+  print_warnings(c.warnings);
   return show(a, c, options_for<simulation::RunOptions>(a),
               [&](const simulation::RunOptions& o) { return simulation::run(c, o); });
 }
 
 int resume(const RunArguments& a) {
-  const simulation::Case c = simulation::read_stopped_case(a.resumed);
+  const simulation::Case c = a.overrides.empty()
+                                 ? simulation::read_stopped_case(a.resumed)
+                                 : simulation::extend_run(a.resumed, a.overrides, print_warning);
   return show(a, c, options_for<simulation::RunOptions>(a),
               [&](const simulation::RunOptions& o) { return simulation::resume_run(c, o); });
 }
@@ -94,7 +118,9 @@ void add_run(CLI::App& app, int& exit_code) {
   add_case(*command, *a, help);
   add_result_options(*command, *a, help);
   add_threads(*command, a->threads);
-  add_resume(*command, *a);
+  command->add_flag("--field-units", a->field_units,
+                    "print the answer in lbf, ft lbf, ft/h, psi and in; files stay in SI");
+  add_resume(*command, *a, LaterEnd::yes);
   command->footer(
       "The keys of a case: tdbd keys.\n"
       "With the table [wear] the cutters of a bit wear over hundreds of metres "
@@ -103,6 +129,8 @@ void add_run(CLI::App& app, int& exit_code) {
       "A second Ctrl-C ends it immediately.\n"
       "With --resume an interrupted run continues; its results equal those of an uninterrupted "
       "run.\n"
+      "With --set time.duration='20 s' or time.revolutions=20 as well, it continues to that end, "
+      "also if it is complete.\n"
       "Example: tdbd run cases/bit-b-steady.toml -o out/b --set time.revolutions=2");
   command->callback([a, &exit_code] {
     exit_code = guarded([&] {
@@ -114,24 +142,27 @@ void add_run(CLI::App& app, int& exit_code) {
 
 namespace {
 
-void print_outcome(const simulation::RotateOutcome& o, const std::string& folder) {
+void print_outcome(const simulation::RotateCase& c, const simulation::RotateOutcome& o,
+                   const std::string& folder) {
   const simulation::Invariants& v = o.end.invariants;
-  print_out("{}: {} steps to t = {:.6g} s, {} torque evaluations\n",
-            o.status == simulation::RunStatus::completed ? "done" : "interrupted", o.end.steps_done,
-            o.end.rotating.state.time, o.end.rotating.evaluations);
+  print_out("{}: {} to t = {:.6g} s, {}\n", status_word(o.status),
+            counted(std::to_string(o.end.steps_done), "step"), o.end.rotating.state.time,
+            counted(std::to_string(o.end.rotating.evaluations), "torque evaluation"));
+  for (const std::string& line : simulation::answer_lines(c, o.end)) print_out("{}\n", line);
   print_out(
       "largest changes: energy {:.2e} of its scale, momentum in space {:.2e} N m s, its vertical "
       "component {:.2e} N m s\n",
       v.energy_drift / v.energy_scale, std::sqrt(v.momentum_drift_squared), v.vertical_drift);
   print_out("results in {}\n", folder);
   if (o.status == simulation::RunStatus::interrupted)
-    print_out("to resume: tdbd rotate --resume {}\n", folder);
+    print_interruption("rotate", folder, o.end.steps_done, c.time.steps);
 }
 
-/// Rotates with progress and a summary, unless `quiet` is set.
+/// Rotates with warnings and, unless `quiet` is set, progress and a summary.
 template <class Rotate>
-int show(const ResultArguments& a, Rotate&& rotate) {
+int show(const ResultArguments& a, const simulation::RotateCase& c, Rotate&& rotate) {
   auto options = options_for<simulation::RotateOptions>(a);
+  print_warnings(c.warnings);
   Progress progress;
   if (!a.quiet)
     options.progress = [&](long done, long total) {
@@ -140,7 +171,7 @@ int show(const ResultArguments& a, Rotate&& rotate) {
   const simulation::RotateOutcome outcome = rotate(options);
   if (!a.quiet) {
     progress.finish();
-    print_outcome(outcome, options.folder.string());
+    print_outcome(c, outcome, options.folder.string());
   }
   return outcome.status == simulation::RunStatus::completed ? 0 : interrupted_code;
 }
@@ -148,12 +179,12 @@ int show(const ResultArguments& a, Rotate&& rotate) {
 int rotate(const ResultArguments& a) {
   simulation::require_kind(a.case_file, a.overrides, {simulation::CaseKind::rotation});
   const simulation::RotateCase c = simulation::read_rotate_case(a.case_file, a.overrides);
-  return show(a, [&](const simulation::RotateOptions& o) { return simulation::rotate(c, o); });
+  return show(a, c, [&](const simulation::RotateOptions& o) { return simulation::rotate(c, o); });
 }
 
 int resume(const ResultArguments& a) {
   const simulation::RotateCase c = simulation::read_stopped_rotate_case(a.resumed);
-  return show(a,
+  return show(a, c,
               [&](const simulation::RotateOptions& o) { return simulation::resume_rotate(c, o); });
 }
 
@@ -194,9 +225,10 @@ void print_statics(const simulation::ChainCase& c) {
 
 void print_run(const simulation::ChainCase& c, const simulation::ChainOutcome& o) {
   const simulation::ChainFigures& f = o.end.figures;
-  print_out("{}: {} steps of {:.3g} s, {} elements of {:.4g} m, energy residual {:.2e} J\n",
-            o.status == simulation::RunStatus::completed ? "done" : "interrupted", o.end.steps_done,
-            c.time.step, c.plan.chain.count(), c.plan.chain.elements.length, f.residual);
+  print_out("{}: {} of {:.3g} s, {} of {:.4g} m, energy residual {:.2e} J\n", status_word(o.status),
+            counted(std::to_string(o.end.steps_done), "step"), c.time.step,
+            counted(std::to_string(c.plan.chain.count()), "element"), c.plan.chain.elements.length,
+            f.residual);
   print_out("bit in the second half: {:.4g} to {:.4g} rad/s\n", f.least_speed, f.largest_speed);
 }
 
@@ -205,12 +237,11 @@ int run_string(const ResultArguments& a) {
   const simulation::ChainCase c = simulation::read_chain_case(a.case_file, a.overrides);
   auto options = options_for<simulation::RotateOptions>(a);
   Progress progress;
-  if (!a.quiet) {
-    print_warnings(c.warnings);
+  print_warnings(c.warnings);
+  if (!a.quiet)
     options.progress = [&](long done, long total) {
       if (progress.is_due(done, total)) progress.show(done, total, "");
     };
-  }
   const simulation::ChainOutcome outcome = simulation::run_chain(c, options);
   if (!a.quiet) {
     progress.finish();

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -21,7 +22,10 @@ static_assert(std::atomic<bool>::is_always_lock_free, "signal handlers touch the
 
 void on_interrupt(int) {
   if (!is_saving) end_at_once("tdbd: interrupted before the first step: nothing was saved\n");
-  if (interrupted.exchange(true)) end_at_once("tdbd: interrupted again: ended immediately\n");
+  if (interrupted.exchange(true))
+    end_at_once(
+        "tdbd: interrupted again: ended immediately\n"
+        "tdbd: nothing after the last checkpoint was saved\n");
 }
 
 }  // namespace
@@ -64,17 +68,31 @@ int after_output(int exit_code) {
 Progress::Progress()
     : started_(Clock::now()), shown_(started_), terminal_(isatty(STDERR_FILENO) == 1) {}
 
-bool Progress::is_due(long done, long total) const {
+bool Progress::is_due(long done, long total) {
   constexpr std::chrono::milliseconds on_terminal(200), in_log(2000);
+  if (first_ < 0) {
+    first_ = done;
+    started_ = Clock::now();
+  }
   return done >= total || Clock::now() - shown_ >= (terminal_ ? on_terminal : in_log);
+}
+
+/// The first steps of a run are not typical: buffers grow, and the bit only begins to cut.
+std::string Progress::time_left(long done, long total) const {
+  constexpr long enough_steps = 20, share = 50;
+  const long made = done - first_, needed = std::clamp((total - first_) / share, 1L, enough_steps);
+  if (done >= total) return "0.0 s left";
+  if (made < needed) return "";
+  const double passed = std::chrono::duration<double>(shown_ - started_).count();
+  const double left = passed * static_cast<double>(total - done) / static_cast<double>(made);
+  return fmt::format("{:.1f} s left", left);
 }
 
 void Progress::show(long done, long total, const std::string& detail) {
   shown_ = Clock::now();
   const double part = static_cast<double>(done) / static_cast<double>(total);
-  const double passed = std::chrono::duration<double>(shown_ - started_).count();
-  const std::string line = fmt::format("{:3.0f} %  step {} of {}  {:.1f} s left{}", 100.0 * part,
-                                       done, total, passed * (1.0 - part) / part, detail);
+  const std::string line = fmt::format("{:3.0f} %  step {} of {}  {}{}", 100.0 * part, done, total,
+                                       time_left(done, total), detail);
   if (!terminal_) return static_cast<void>(std::fprintf(stderr, "%s\n", line.c_str()));
   constexpr int width = 24;
   const std::string bar(static_cast<std::size_t>(part * width), '#');

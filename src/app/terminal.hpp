@@ -37,19 +37,24 @@ void print_out(fmt::format_string<T...> text, T&&... values) {
 int after_output(int exit_code);
 
 /// Progress on standard error: a bar with the remaining time on a terminal, otherwise a line every
-/// two seconds.
+/// two seconds. The remaining time follows from the steps since the first call of is_due, so that
+/// neither the preparation of a run nor the steps before it was resumed count; it is omitted until
+/// enough of them are done.
 class Progress {
  public:
   Progress();
   /// Whether to show the progress again; always true at the end.
-  bool is_due(long done, long total) const;
+  bool is_due(long done, long total);
   /// Shows the progress and the remaining time, followed by `detail`.
   void show(long done, long total, const std::string& detail);
   void finish();
 
  private:
   using Clock = std::chrono::steady_clock;
+  std::string time_left(long done, long total) const;
+
   Clock::time_point started_, shown_;
+  long first_ = -1;  ///< steps done at started_; -1: is_due was not called yet
   bool terminal_ = false;
 };
 

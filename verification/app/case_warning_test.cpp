@@ -44,10 +44,32 @@ TEST(CaseWarning, of_a_run_is_printed_before_its_progress_and_stored_in_its_summ
   EXPECT_EQ(summary(c, "out").at("warnings"), nlohmann::json::array({idle}));
 }
 
-TEST(CaseWarning, is_not_printed_with_quiet) {
+TEST(CaseWarning, is_printed_with_quiet) {
   const SmallCase c = with_A7();
-  EXPECT_EQ(c.run({"--quiet"}).err, "");
+  const auto o = c.run({"--quiet"});
+  EXPECT_EQ(o.err, warning(c, idle, 17));
+  EXPECT_EQ(o.out, "");
   EXPECT_TRUE(summary(c, "out").contains("warnings"));
+}
+
+const std::string no_strength =
+    ": has no effect: the law detournay does not depend on the strength of the rock; change its "
+    "coefficients, or use hanson-hansen, thin-cut (faces) or indentation (teeth)\n";
+
+/// A rock that is only named is the label of the coefficients.
+TEST(CaseWarning, reports_a_strength_that_the_law_ignores) {
+  const SmallCaseWithForces c("");
+  EXPECT_EQ(c.check().err, "");
+  EXPECT_EQ(c.check({"--set", "rock.material=mancos-shale"}).err,
+            "tdbd: warning: --set: rock.material" + no_strength);
+  EXPECT_EQ(c.check({"--set", "forces={law='hanson-hansen', A1=1, A3=0.3}", "--set",
+                     "rock.material=mancos-shale"})
+                .err,
+            "");
+  c.edit("case.toml", "material = \"berea-sandstone\"",
+         "material = {unconfined_strength = \"60 MPa\", friction_angle = \"30 deg\"}");
+  EXPECT_EQ(c.check().err, "tdbd: warning: " + c.path("case.toml").string() +
+                               ":6: rock.material.unconfined_strength" + no_strength);
 }
 
 TEST(CaseWarning, names_an_override_as_such) {

@@ -132,6 +132,11 @@ TEST(InterruptedRun, keeps_everything_and_reports_the_interrupt) {
               "out", {.signal_after = c.path("out/frames/rock-000010.vtp"), .signal = signal});
     EXPECT_EQ(o.exit_code, 130);
     EXPECT_EQ(o.out.rfind("interrupted: ", 0), 0u) << o.out;
+    EXPECT_NE(o.out.find("\nsaved: the results so far, and a checkpoint; "), std::string::npos)
+        << o.out;
+    EXPECT_NE(o.out.find("\nto resume: tdbd run --resume " + c.path("out").string() + "\n"),
+              std::string::npos)
+        << o.out;
     const auto summary = nlohmann::json::parse(read(c.path("out/summary.json")));
     EXPECT_EQ(summary["status"], "interrupted");
     const long steps = summary["steps"];
@@ -142,6 +147,17 @@ TEST(InterruptedRun, keeps_everything_and_reports_the_interrupt) {
     EXPECT_TRUE(fs::exists(c.path("out/frames/rock_final.vtp")));
     EXPECT_TRUE(fs::exists(c.path("out/timing.json")));
   }
+}
+
+TEST(InterruptedRun, without_a_checkpoint_is_said_to_begin_at_its_start) {
+  const SmallCase c;
+  const auto o = c.run({"--set", "time.duration=1000", "--set", "output.frames_every=10", "--set",
+                        "output.checkpoint_every=0"},
+                       "out", {.signal_after = c.path("out/frames/rock-000010.vtp")});
+  EXPECT_NE(o.out.find("\nsaved: the results so far, but no checkpoint: the resumed run begins at "
+                       "its start\n"),
+            std::string::npos)
+      << o.out;
 }
 
 TEST(InterruptedRun, twice_ends_at_once_and_is_no_result) {

@@ -66,6 +66,22 @@ TEST(ResultFolder, timing_contains_what_depends_on_the_machine) {
     EXPECT_GT(t[key].get<double>(), 0.0) << key;
 }
 
+/// The mean weight of the summary in pounds, on the first of six lines.
+TEST(Answer, is_printed_in_metric_or_field_units) {
+  const SmallCaseWithForces c("");
+  const auto o = c.run({"--set", "output.means_from=0"});
+  const double weight = Json::parse(read(c.path("out/summary.json")))["wob_mean_n"];
+  for (const char* start : {"\nweight on bit    ", "\ntorque on bit    ", "\nrate             ",
+                            "\nspecific energy  ", "\nimbalance        ", "\ndiagnosis        "})
+    EXPECT_NE(o.out.find(start), std::string::npos) << start << o.out;
+  const auto field = c.run({"--set", "output.means_from=0", "--field-units"}, "field");
+  const std::string first = "\nweight on bit    ";
+  const auto at = field.out.find(first);
+  ASSERT_NE(at, std::string::npos) << field.out;
+  EXPECT_NEAR(std::stod(field.out.substr(at + first.size())), weight / 4.4482216, 1e-3 * weight);
+  EXPECT_NE(field.out.find(" lbf\n"), std::string::npos) << field.out;
+}
+
 TEST(Progress, is_a_line_where_there_is_no_terminal) {
   const SmallCase c;
   const auto o = c.run();

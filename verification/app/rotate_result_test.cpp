@@ -171,6 +171,33 @@ TEST(RotateResult, progress_and_quiet) {
   EXPECT_EQ(quiet.out + quiet.err, "");
 }
 
+/// |(0.7, -0.5, 2)| = 2.1772 rad/s.
+TEST(RotateResult, a_hopeless_step_is_a_warning) {
+  const RotateFolder c = free_body();
+  EXPECT_EQ(c.rotate({"--quiet", "--set", "time.step=0.2"}).err, "");
+  const std::string text =
+      "time.step: the body turns by 1.09 rad in a step of 0.5 s at the start; for meaningful "
+      "results use at most 0.5 rad: 0.23 s";
+  const auto o = c.rotate({"--quiet", "--force", "--set", "time.step=0.5"});
+  EXPECT_EQ(o.exit_code, 0);
+  EXPECT_EQ(o.err, "tdbd: warning: --set: " + text + "\n");
+  EXPECT_EQ(Json::parse(read(c.path("out/summary.json")))["warnings"], Json::array({text}));
+}
+
+TEST(RotateResult, the_answer_is_that_of_the_summary) {
+  const RotateFolder c = free_body();
+  const auto o = c.rotate();
+  const Json s = Json::parse(read(c.path("out/summary.json")));
+  const auto number = [&](const std::string& label) {
+    const auto at = o.out.find("\n" + label);
+    return at == std::string::npos ? -1e300 : std::stod(o.out.substr(at + 1 + label.size()));
+  };
+  EXPECT_NEAR(number("turned           ") * 2.0 * 3.14159265, s["twist_rad"].get<double>(), 2e-3);
+  EXPECT_NEAR(number("axis at the end  "),
+              std::acos(s["attitude"][2][2].get<double>()) * 180.0 / 3.14159265, 0.01);
+  EXPECT_NEAR(number("energy           "), s["energy_start"].get<double>(), 1e-4);
+}
+
 TEST(RotateResult, an_existing_result_is_kept_without_force) {
   const RotateFolder c;
   summary_of(c);

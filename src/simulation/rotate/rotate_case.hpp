@@ -8,6 +8,7 @@
 #include "dynamics/gyrostat.hpp"
 #include "dynamics/integrator.hpp"
 #include "dynamics/loads.hpp"
+#include "simulation/case/run_settings.hpp"
 
 namespace tdbd::simulation {
 
@@ -37,6 +38,7 @@ struct RotateCase {
   std::string resolved;        ///< TOML with all defaults, SI; running it gives the same result
   std::string hash;            ///< of the resolved values and the contents of all files
   std::map<std::string, double> quantities;  ///< by dotted key, in SI
+  std::vector<CaseWarning> warnings;
 };
 
 /// Returns "split", "three-axis", "lie-midpoint" or "lie-mean".

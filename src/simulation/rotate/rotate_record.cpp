@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "rotation/screw.hpp"
 
@@ -172,8 +174,26 @@ void RotateRecorder::keep_so_far(const std::exception&) {
   ignore_failure([&] { history_.close(); });
 }
 
+std::vector<std::string> answer_lines(const RotateCase& c, const RotateSimulation& s) {
+  constexpr double degree = std::numbers::pi / 180.0, rpm = 2.0 * std::numbers::pi / 60.0;
+  const dynamics::RotationState& state = s.rotating.state;
+  const double speed = dynamics::angular_velocity(c.body, state).norm();
+  const double tilt = std::acos(std::clamp(state.q_WB.toRotationMatrix()(2, 2), -1.0, 1.0));
+  const double turns = twist(state) / (2.0 * std::numbers::pi);
+  const Invariants& v = s.invariants;
+  return {fmt::format("turned           {} about the vertical",
+                      counted(fmt::format("{:.4g}", turns), "revolution")),
+          fmt::format("speed at the end {:.4g} rad/s, {:.4g} rpm", speed, speed / rpm),
+          fmt::format("axis at the end  {:.4g} deg from the vertical", tilt / degree),
+          fmt::format("energy           {:.6g} J at the start, {:.6g} J at the end", v.energy,
+                      total_energy(c, state)),
+          fmt::format("momentum         {:.6g} N m s at the start, {:.6g} N m s at the end",
+                      v.momentum_W.norm(), state.momentum_W.norm())};
+}
+
 std::string summary_json(const RotateCase& c, const RotateSimulation& s, RunStatus status) {
   Json json = summary_head("rotate", c.title, status, c.hash, 0);
+  for (const CaseWarning& w : c.warnings) json["warnings"].push_back(without_place(w));
   json.update(Json{{"steps", s.steps_done},
                    {"step_s", c.time.step},
                    {"duration_s", s.rotating.state.time},

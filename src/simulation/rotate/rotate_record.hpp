@@ -95,6 +95,10 @@ class RotateRecorder {
   CheckpointKeeper keeper_;
 };
 
+/// Returns the answer of a rotation for a reader, a line for each: turns, speed and axis at the end,
+/// energy and momentum.
+std::vector<std::string> answer_lines(const RotateCase& c, const RotateSimulation& s);
+
 /// Returns the summary of a rotate case so far as JSON. Units that are not in its keys: attitude
 /// (rows of R_WB), momenta and cone momenta in N m s, angular velocity (bit frame) and cone spins
 /// in rad/s, cone angles in rad, energies in J. Numbers have as many digits as are required to read

@@ -8,6 +8,13 @@ namespace tdbd::simulation::answer_test {
 
 using Lines = std::vector<std::string>;
 
+SteadyState means_over(double revolutions, std::optional<bool> is_steady) {
+  SteadyState state;
+  state.is_steady = is_steady;
+  state.revolutions = revolutions;
+  return state;
+}
+
 /// A bit of 200 mm that drills 36 m/h at 60 rpm.
 RunSummary drilled() {
   RunSummary s;
@@ -23,7 +30,7 @@ RunSummary drilled() {
   f.imbalance = 0.049;
   f.imbalance_azimuth = -77.0 * std::numbers::pi / 180.0;
   s.set_weight = 29.9e3;
-  s.steady = {.is_steady = true, .revolutions = 3.0};
+  s.steady = means_over(3.0, true);
   s.drive.emplace();
   s.diagnosis.text = "steady";
   return s;
@@ -56,11 +63,11 @@ TEST(Answer, is_given_in_field_units_on_request) {
 
 TEST(Answer, of_means_that_drift_says_so) {
   RunSummary s = drilled();
-  s.steady = {.is_steady = false, .revolutions = 1.0};
+  s.steady = means_over(1.0, false);
   EXPECT_EQ(answer_lines(s, AnswerUnits::metric).back(),
             "diagnosis        no vibrations; means over 1 revolution, which still drift");
   s.drive.reset();
-  s.steady = {.revolutions = 0.4};
+  s.steady = means_over(0.4, {});
   EXPECT_EQ(answer_lines(s, AnswerUnits::metric).back(),
             "diagnosis        prescribed motion; means over 0.4 revolutions, too few for a test of "
             "steadiness");
