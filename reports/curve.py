@@ -52,14 +52,14 @@ def found_weights(folder):
 
 
 def draw_line(axis, rows, name, colour):
-    """One curve over the mean weight, with the intervals of both."""
+    """One curve over the mean weight, with the intervals of both; returns it."""
     weight = KILO * column(rows, "wob_mean_n")
     unit = "m_per_h" if name == "rop" else "n_m"
     y, bars = column(rows, f"{name}_mean_{unit}"), column(rows, f"{name}_interval_{unit}")
     known = np.isfinite(weight) & np.isfinite(y)
     across = np.nan_to_num(KILO * column(rows, "wob_interval_n"))
-    axis.errorbar(weight[known], y[known], yerr=np.nan_to_num(bars)[known], xerr=across[known], fmt="o-", color=colour, ms=4, lw=1.3,
-                  elinewidth=0.8, capsize=2, label=rows[0]["rock"])
+    return axis.errorbar(weight[known], y[known], yerr=np.nan_to_num(bars)[known], xerr=across[known], fmt="o-", color=colour, ms=4, lw=1.3,
+                         elinewidth=0.8, capsize=2, label=rows[0]["rock"])
 
 
 def draw_curve(folder, out):
@@ -74,17 +74,17 @@ def draw_curve(folder, out):
             of_rock = [row for row in rows if row["rock"] == rock]
             colour = plt.get_cmap("tab10")(k % 10)
             draw_line(rate, of_rock, "rop", colour)
-            draw_line(torque, of_rock, "tob", colour)
+            lines = draw_line(torque, of_rock, "tob", colour)
             if rock in found:
                 weight, reached = found[rock]
                 rate.plot([weight], [reached], "*", color=colour, ms=13, mec="black", mew=0.7, zorder=3)
-                rate.annotate(f"{weight:.4g} kN", (weight, reached), textcoords="offset points", xytext=(8, -12))
+                lines.set_label(f"{rock}: {weight:.4g} kN for {reached:.3g} m/h")
         for axis, label in ((rate, "rate of penetration [m/h]"), (torque, "torque on bit [N m]")):
             axis.set(xlabel="weight on bit [kN]", ylabel=label)
             axis.set_xlim(left=0.0)
             axis.set_ylim(bottom=0.0)
             axis.grid(alpha=0.3)
-        if len(rocks) > 1:
+        if len(rocks) > 1 or found:
             torque.legend(fontsize=8)
         path = out / "curve.png"
         out.mkdir(parents=True, exist_ok=True)

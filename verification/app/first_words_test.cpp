@@ -56,10 +56,11 @@ TEST(FirstWords, a_wrong_one_names_the_right_one) {
       "check, keys, bit, laboratory, sweep, curve, mesh, draw, page, report, compare");
   // three slips are too many, and none of its letters may be right by chance
   for (const std::string word : {"q", "r", "rx", "rotaxxx"})
-    expect_told({word},
-                "found the command " + word +
-                    ", expected one of new, run, rotate, string, converge, calibrate, "
-                    "check, keys, bit, laboratory, sweep, curve, mesh, draw, page, report, compare");
+    expect_told(
+        {word},
+        "found the command " + word +
+            ", expected one of new, run, rotate, string, converge, calibrate, "
+            "check, keys, bit, laboratory, sweep, curve, mesh, draw, page, report, compare");
 }
 
 /// Options that no command follows are no way to do nothing.

@@ -39,7 +39,7 @@ class Curve(unittest.TestCase):
         np.testing.assert_allclose(rate.containers[0].lines[0].get_xydata(), [[9.9, 5], [19.8, 11]])
         np.testing.assert_allclose(torque.containers[0].lines[0].get_xydata(), [[9.9, 600], [19.8, 1300]])
         self.assertEqual((rate.get_xlabel(), rate.get_ylabel()), ("weight on bit [kN]", "rate of penetration [m/h]"))
-        self.assertEqual([t.get_text() for t in torque.get_legend().get_texts()], ["shale", "granite"])
+        self.assertEqual([t.get_text() for t in torque.get_legend().get_texts()], ["shale: 20 kN for 11 m/h", "granite"])
         stars = [line for line in rate.get_lines() if line.get_marker() == "*"]
         self.assertEqual([star.get_xydata().tolist() for star in stars], [[[20.0, 11.0]]])
 
