@@ -40,10 +40,10 @@ def solids_of(text):
     for line in text.splitlines():
         word, *rest = line.split()
         if word == "solid":
-            name = " ".join(rest)
+            name = " ".join(rest).removesuffix(" unit=mm")
             solids[name] = []
         elif word == "vertex":
-            solids[name].append([1000.0 * float(x) for x in rest])
+            solids[name].append([float(x) for x in rest])
     return {name: np.array(corners).reshape(-1, 3, 3) for name, corners in solids.items()}
 
 

@@ -20,15 +20,16 @@ O,6,2,shoulder,16,47,200,11,70,15,0
 BIT = 'name = "outside"\ntable = "table.csv"\ngage_diameter = "100 mm"\n[mesh]\nrim_segments = 32\n'
 
 
-def in_mm(line):
-    word, *numbers = line.split()
+def rounded(line):
+    """A line without the unit, which CAD programs do not write."""
+    word, *numbers = line.removesuffix(" unit=mm").split()
     if word != "vertex":
-        return line.strip()
-    return " ".join([word, *(f"{1000 * float(x) + 0.0:.6f}" for x in numbers)])
+        return line.removesuffix(" unit=mm").strip()
+    return " ".join([word, *(f"{float(x) + 0.0:.6f}" for x in numbers)])
 
 
 def solids_stl(program, table, bit):
-    """The STL file, in m, of a bit from a table with its body coarsened, as text."""
+    """The STL file, in mm, of a bit from a table with its body coarsened, as text."""
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "table.csv").write_text(table, encoding="utf-8")
@@ -38,15 +39,14 @@ def solids_stl(program, table, bit):
             subprocess.run([program, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
 
         tdbd("bit", folder / "bit.toml", "-o", folder / "whole")
-        tdbd("mesh", folder / "whole/bit.stl", "--unit", "1 m", "--grade", "--only", "bit-body",
-             "--edge", "12 mm", "--face", "30 mm", "--deviation", "0.5 mm", "-o",
+        tdbd("mesh", folder / "whole/bit.stl", "--grade", "--only", "bit-body", "--edge", "12 mm", "--face", "30 mm", "--deviation", "0.5 mm", "-o",
              folder / "coarse.stl")
         return (folder / "coarse.stl").read_text(encoding="utf-8")
 
 
 def main(program, out):
     lines = solids_stl(program, TABLE, BIT).splitlines()
-    pathlib.Path(out).write_text("\n".join(map(in_mm, lines)) + "\n", encoding="utf-8")
+    pathlib.Path(out).write_text("\n".join(map(rounded, lines)) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

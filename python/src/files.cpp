@@ -24,7 +24,7 @@ py::tuple surface_of(const std::string& path) {
   mesh::TriangleMesh m;
   {
     const py::gil_scoped_release released;
-    m = mesh::read_mesh(path, 1.0);
+    m = mesh::read_mesh(path, mesh::unit_or(path, 1.0));
   }
   return py::make_tuple(array_of(m.positions), array_of(m.triangles));
 }
@@ -44,7 +44,9 @@ void add_files(py::module_& m) {
       .def("__repr__", [](const FilesLock&) { return "<tdbd.FilesLock>"; })
       .def("__exit__", [](FilesLock& lock, const py::args&) { lock.exit(); });
   m.def("read_surface", &surface_of, py::arg("path"),
-        "Vertices (n, 3), m, and faces (m, 3) of a mesh file in metres.");
+        "Vertices (n, 3), m, and faces (m, 3) of a mesh file. It is in metres unless its header "
+        "states "
+        "another unit.");
 }
 
 }  // namespace tdbd::python

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <utility>
 
 #include "app/arguments.hpp"
 #include "app/terminal.hpp"
@@ -15,6 +16,7 @@
 #include "bit/report/body_report.hpp"
 #include "bit/report/cone_report.hpp"
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "io/output_folder.hpp"
 #include "simulation/case/case_kind.hpp"
 
@@ -33,9 +35,9 @@ void print_mass(const bit::Bit& b, const std::vector<std::string>& without_densi
 }
 
 struct BitChoices {
-  std::string file, folder, format = "ply", solids = "stl";
+  std::string file, folder, format = "ply", solids = "stl", unit = "mm";
   std::vector<std::string> overrides;
-  bool force = false;
+  bool force = false, binary = false, united = false;
   bool report = false;
   bool quiet = false;
   bool cutters = false, parts = false;
@@ -75,6 +77,32 @@ void print_bit(const bit::BitFile& read, const BitChoices& choices,
   print_how_to_list(b, choices);
 }
 
+bit::ExportOptions export_options(const BitChoices& choices) {
+  bit::ExportOptions o;
+  o.parts = choices.format;
+  o.solids = choices.solids;
+  o.stl = choices.binary ? mesh::StlKind::binary : mesh::StlKind::text;
+  try {
+    o.unit = mesh::length_unit(choices.unit);
+  } catch (const UnitError&) {
+    throw InputError(
+        fmt::format("--unit: found '{}', expected a length unit like 'mm' or 'in'", choices.unit));
+  }
+  if (choices.binary && choices.solids != "stl")
+    throw InputError(
+        fmt::format("--binary: found --solids {}, expected --solids stl", choices.solids));
+  return o;
+}
+
+/// What the command writes about the mesh files.
+std::string export_text(const BitChoices& choices, const bit::ExportOptions& o) {
+  const std::string solids = bit::unit_of_format(o, o.solids).name;
+  return fmt::format("wrote bit.{} in {}{}{}, parts/ in {}\n", o.solids, solids,
+                     choices.binary ? " (binary)" : "",
+                     choices.united ? fmt::format(", bit-united.{} in {}", o.solids, solids) : "",
+                     bit::unit_of_format(o, o.parts).name);
+}
+
 int inspect_bit(const BitChoices& choices) {
   simulation::require_kind(choices.file, {}, {simulation::CaseKind::bit});
   const double advance =
@@ -88,23 +116,30 @@ int inspect_bit(const BitChoices& choices) {
   const bit::Bit& b = read.bit;
   const bit::ReportOptions options{advance, bit_speed, choices.cone_speeds};
   bit::cone_operation(b, choices.cone_speeds, advance);  // rejects wrong speeds
-  if (!choices.quiet) {
-    print_doubts(read.doubts);
-    print_bit(read, choices, options);
-  }
+  print_doubts(read.doubts);
+  if (!choices.quiet) print_bit(read, choices, options);
   if (choices.folder.empty()) {
-    if (choices.report) throw InputError("--report: found no folder, expected one: -o FOLDER");
+    const std::pair<bool, const char*> needs_folder[] = {
+        {choices.report, "--report"}, {choices.binary, "--binary"}, {choices.united, "--united"}};
+    for (const auto& [given, option] : needs_folder)
+      if (given)
+        throw InputError(fmt::format("{}: found no folder, expected one: -o FOLDER", option));
     return 0;
   }
+  const bit::ExportOptions formats = export_options(choices);
+  const mesh::TriangleMesh united =
+      choices.united ? bit::united_parts(b, formats) : mesh::TriangleMesh();
   const OutputFolder out =
       prepare(choices.folder, overwrite_of(choices.force), read.files, ResultKind::bit);
-  bit::export_bit(out.path, b, choices.format);  // first: bit.toml marks the folder
+  bit::export_bit(out.path, b, formats);  // first: bit.toml marks the folder
   bit::write_bit_files(out.path, b);
   bit::write_profile(out.path, b);
   bit::write_cutter_table(out.path, b);
   if (choices.report) bit::write_analysis(out.path, b, options);
-  bit::export_solids(out.path, b, choices.solids);
+  bit::export_solids(out.path, b, formats);
+  if (choices.united) bit::export_united(out.path, b, united, formats);
   bit::write_bit_vtp(out.path / "bit.vtp", b, Pose{});
+  if (!choices.quiet) print_out("{}", export_text(choices, formats));
   return 0;
 }
 
@@ -136,6 +171,13 @@ void add_bit(CLI::App& app, int& exit_code) {
   command->add_flag("--cutters", choices->cutters, "print one row for each cutter");
   command->add_flag("--parts", choices->parts,
                     "print one row for each part, and what areas of the bit file define");
+  command
+      ->add_option("--unit", choices->unit,
+                   "length unit of STL, OBJ and OFF files, which their headers state; PLY is in m")
+      ->capture_default_str();
+  command->add_flag("--binary", choices->binary, "write bit.stl as binary, without names");
+  command->add_flag("--united", choices->united,
+                    "also write bit-united.stl (format as --solids): one solid of all parts");
   command->add_flag("--report", choices->report, "also write analysis.json, data for bit design");
   command
       ->add_option("--penetration", choices->penetration,

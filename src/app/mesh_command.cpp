@@ -1,15 +1,21 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 
 #include "app/arguments.hpp"
 #include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "core/units.hpp"
+#include "mesh/check/weld.hpp"
+#include "mesh/files/facet_file.hpp"
+#include "mesh/files/files.hpp"
 #include "mesh/files/solids.hpp"
 #include "mesh/grade/grade.hpp"
 #include "mesh/repair/repair.hpp"
+#include "mesh/repair/sheet.hpp"
 #include "simulation/start/rock_start.hpp"
 
 namespace tdbd::app {
@@ -20,14 +26,60 @@ using mesh::Solid;
 
 struct MeshChoices {
   std::string file, output, only = "*", weld = "0 mm";
-  std::string unit;  ///< empty: 1 mm, or 1 m for a rock written by a run
+  std::string unit;         ///< empty: what the file states, otherwise 1 mm
+  std::string output_unit;  ///< empty: see unit_of_output
   std::string edge = "0.5 mm", face = "3 mm", angle = "25 deg", deviation = "0.005 mm";
   double growth = 0.5;
-  bool repair = false, grade = false, force = false;
+  bool repair = false, grade = false, force = false, binary = false;
+  bool sheet = false, flip = false, fill_holes = false, z_up = false;
+
+  bool is_sheet() const { return sheet || flip || fill_holes || z_up; }
+  bool writes() const {
+    return repair || grade || flip || fill_holes || z_up || (sheet && !output.empty());
+  }
 };
+
+/// The largest numbers of lines that are printed about solids, and about holes.
+constexpr std::size_t most_rows = 40, most_holes = 12;
 
 double length(const std::string& option, const std::string& text) {
   return option_quantity(option, text, "m", Range::non_negative(), "a length");
+}
+
+mesh::LengthUnit unit_option(const std::string& option, const std::string& text) {
+  try {
+    return mesh::length_unit(text);
+  } catch (const UnitError&) {
+    throw InputError(
+        fmt::format("{}: found '{}', expected a length unit like 'mm' or '1 mm'", option, text));
+  }
+}
+
+/// The unit of the input. The rock of an earlier version of a run is in m, but states no unit.
+mesh::LengthUnit unit_of_input(const MeshChoices& choices) {
+  if (choices.unit.empty()) {
+    if (auto stated = mesh::stated_unit_of(choices.file)) return *stated;
+    return mesh::length_unit(simulation::read_stamp(choices.file) ? "m" : "mm");
+  }
+  mesh::LengthUnit unit = unit_option("--unit", choices.unit);
+  if (const auto found = mesh::unit_contradiction(choices.file, unit.metres); !found.empty())
+    throw InputError(
+        fmt::format("--unit: found {}; expected the stated unit, or no --unit", found));
+  return unit;
+}
+
+/// PLY files of TDBD are in m; the other formats are for CAD programs, which expect mm.
+mesh::LengthUnit unit_of_output(const MeshChoices& choices, const mesh::LengthUnit& input) {
+  if (!choices.output_unit.empty()) return unit_option("--output-unit", choices.output_unit);
+  const auto is_ply = [](const std::string& file) { return mesh::lower_extension(file) == ".ply"; };
+  return is_ply(choices.file) && !is_ply(choices.output) ? mesh::length_unit("mm") : input;
+}
+
+void write(const MeshChoices& choices, const std::vector<Solid>& solids) {
+  const mesh::LengthUnit input = unit_of_input(choices), unit = unit_of_output(choices, input);
+  const auto stl = choices.binary ? mesh::StlKind::binary : mesh::StlKind::text;
+  mesh::write_like(choices.output, solids, {unit, stl}, choices.file, input.metres);
+  print_out("wrote {} in {}\n", choices.output, unit.name);
 }
 
 const char* yes_or_no(bool is) { return is ? "yes" : "no"; }
@@ -50,7 +102,8 @@ void print_table(const std::vector<Solid>& solids) {
       "{:>5}\n",
       "solid", "vertices", "facets", "pieces", "closed", "oriented", "manifold", "volume mm3",
       "box x mm", "y mm", "z mm", "edge mm", "mean", "longest", "quality", "cross");
-  for (const Solid& solid : solids) print_row(solid);
+  for (std::size_t i = 0; i < std::min(most_rows, solids.size()); ++i) print_row(solids[i]);
+  if (solids.size() > most_rows) print_out("and {} more\n", solids.size() - most_rows);
 }
 
 void require_sound(const MeshChoices& choices, const std::vector<Solid>& solids) {
@@ -60,17 +113,31 @@ void require_sound(const MeshChoices& choices, const std::vector<Solid>& solids)
   if (!text.empty()) throw InputError(text);
 }
 
+/// An open mesh may be the rock of a case rather than a damaged solid.
+std::string sheet_advice(const MeshChoices& choices, const std::vector<Solid>& solids) {
+  if (solids.size() != 1 || mesh::open_edges(solids[0].mesh) == 0) return "";
+  return fmt::format(
+      "\n{}: if it is an open sheet, the rock of a case: tdbd mesh --sheet inspects "
+      "it as one",
+      choices.file);
+}
+
 /// Prints the table, and rejects solids that are unsuitable for a bit. The rock of a run is an open
 /// sheet and therefore not checked.
 int inspect(const MeshChoices& choices, const std::vector<Solid>& solids) {
   print_table(solids);
-  if (const auto stamp = simulation::read_stamp(choices.file))
+  if (const auto stamp = simulation::read_stamp(choices.file)) {
     print_out(
         "the rock of a run after {} steps, t = {:.6g} s: a sheet, which bounds no volume; its file "
         "is in metres\n",
         stamp->step, stamp->time);
-  else
+    return 0;
+  }
+  try {
     require_sound(choices, solids);
+  } catch (const InputError& e) {
+    throw InputError(e.what() + sheet_advice(choices, solids));
+  }
   return 0;
 }
 
@@ -83,8 +150,18 @@ void require_output(const MeshChoices& choices) {
   if (!choices.force) throw InputError(out + ": exists; --force replaces it");
 }
 
+/// Filling the cracks of a mesh whose points differ slightly would add a facet to each of them.
+void require_no_cracks(const MeshChoices& choices, const std::vector<Solid>& solids) {
+  const auto hint = mesh::crack_hint(solids);
+  if (!hint) return;
+  throw InputError(fmt::format("{}: {}\n{}: to repair: {}", choices.file, mesh::describe(*hint),
+                               choices.file,
+                               mesh::repair_command(choices.file, mesh::weld_text(*hint))));
+}
+
 int repair(const MeshChoices& choices, std::vector<Solid> solids) {
   const mesh::RepairOptions options{length("--weld", choices.weld)};
+  if (options.weld == 0.0) require_no_cracks(choices, solids);
   std::string refusals;
   for (Solid& solid : solids) {
     mesh::Repaired r = mesh::repair(solid.mesh, options);
@@ -96,7 +173,7 @@ int repair(const MeshChoices& choices, std::vector<Solid> solids) {
     solid.mesh = std::move(r.mesh);
   }
   if (!refusals.empty()) throw InputError(refusals);
-  mesh::write_in_unit_of(choices.output, solids, choices.file, length("--unit", choices.unit));
+  write(choices, solids);
   print_table(solids);
   return 0;
 }
@@ -130,23 +207,105 @@ int grade(const MeshChoices& choices, std::vector<Solid> solids) {
         1e9 * g.volume_change);
     solid.mesh = std::move(g.mesh);
   }
-  mesh::write_in_unit_of(choices.output, solids, choices.file, length("--unit", choices.unit));
+  write(choices, solids);
   print_table(solids);
   return 0;
 }
 
-int inspect_or_write(MeshChoices choices) {
-  if (choices.unit.empty()) choices.unit = simulation::read_stamp(choices.file) ? "1 m" : "1 mm";
-  const double unit = length("--unit", choices.unit);
-  if (!(unit > 0.0)) throw InputError("--unit: found no length, expected one like '1 mm'");
+void print_openings(const mesh::TriangleMesh& m) {
+  const std::vector<mesh::Opening> all = mesh::openings(m);
+  for (std::size_t i = 0; i < std::min(most_holes + 1, all.size()); ++i)
+    print_out("{}\n", mesh::describe(all[i], i == 0 ? "rim" : "hole"));
+  if (all.size() > most_holes + 1) print_out("and {} more\n", all.size() - most_holes - 1);
+}
+
+void change_sheet(const MeshChoices& choices, mesh::TriangleMesh& m) {
+  if (choices.z_up) {
+    mesh::turn_about_x(m);
+    print_out("turned by half a turn about x: z points down\n");
+  }
+  if (choices.flip) {
+    mesh::flip(m);
+    print_out("{} facets flipped\n", m.triangles.size());
+  }
+  if (!choices.fill_holes) return;
+  std::string refusal;
+  const std::size_t filled = mesh::fill_sheet_holes(m, refusal);
+  if (!refusal.empty())
+    throw InputError(fmt::format("{}: --fill-holes: {}", choices.file, refusal));
+  print_out("{} holes filled; the rim is unchanged\n", filled);
+}
+
+/// Rejects a mesh that cannot be the rock of a case, with what could make it one.
+void require_sheet(const MeshChoices& choices, const mesh::TriangleMesh& m) {
+  const std::vector<std::string> faults = mesh::sheet_faults(m);
+  if (faults.empty()) return;
+  std::string text;
+  for (const std::string& line : faults) text += fmt::format("{}: {}\n", choices.file, line);
+  const auto hint = mesh::weld_hint(m);
+  if (hint)
+    text += fmt::format("{}: {}\n", choices.file, mesh::describe(*hint));
+  else if (!choices.fill_holes && mesh::openings(m).size() > 1)
+    text += fmt::format("{}: --fill-holes fills the holes inside the rim\n", choices.file);
+  throw InputError(text.substr(0, text.size() - 1));
+}
+
+/// Inspects the rock of a case, or changes it and writes the result if that can be a rock.
+int inspect_sheet(const MeshChoices& choices, const mesh::LengthUnit& unit) {
+  mesh::TriangleMesh m = mesh::read_mesh(choices.file, unit.metres);
+  mesh::weld_points(m, length("--weld", choices.weld));
+  print_openings(m);
+  change_sheet(choices, m);
+  require_sheet(choices, m);
+  const std::vector<Solid> sheet = {{"sheet", m}};
+  if (choices.writes()) write(choices, sheet);
+  print_table(sheet);
+  return 0;
+}
+
+int inspect_or_write(const MeshChoices& choices) {
+  const mesh::LengthUnit unit = unit_of_input(choices);
   if (choices.repair && choices.grade)
     throw InputError("--grade: found --repair as well, expected one of them at a time");
-  if (choices.repair || choices.grade) require_output(choices);
-  std::vector<Solid> solids = mesh::read_solids(choices.file, unit);
+  if (choices.is_sheet() && (choices.repair || choices.grade))
+    throw InputError(
+        "--sheet: found --repair or --grade as well, which are for solids; expected --flip, "
+        "--fill-holes or --z-up");
+  if (choices.writes()) require_output(choices);
+  if (choices.is_sheet()) return inspect_sheet(choices, unit);
+  std::vector<Solid> solids =
+      mesh::read_solids(choices.file, unit.metres, length("--weld", choices.weld));
   if (choices.repair) return repair(choices, std::move(solids));
+  if (const double weld = length("--weld", choices.weld); weld > 0.0)
+    for (Solid& solid : solids) mesh::weld_points(solid.mesh, weld);
   if (!choices.grade) return inspect(choices, solids);
   require_sound(choices, solids);
   return grade(choices, std::move(solids));
+}
+
+/// The options for the rock of a case.
+void add_sheet_options(CLI::App& command, MeshChoices& choices) {
+  command.add_flag("--sheet", choices.sheet,
+                   "inspect an open sheet, the rock of a case: z points down, into the rock, and "
+                   "facets face up, out of the rock");
+  command.add_flag("--flip", choices.flip, "of a sheet: reverse all facets; requires -o");
+  command.add_flag("--fill-holes", choices.fill_holes,
+                   "of a sheet: fill all holes but the rim; requires -o");
+  command.add_flag("--z-up", choices.z_up,
+                   "of a sheet whose z points up: turn it by half a turn about x; requires -o");
+}
+
+/// The options for the file to write.
+void add_output_options(CLI::App& command, MeshChoices& choices) {
+  command
+      .add_option("-o,--output", choices.output,
+                  "the file to write, in the format of its extension; the input is not changed")
+      ->type_name(a_mesh_file);
+  command.add_option("--output-unit", choices.output_unit,
+                     "length unit of the output; default: that of the input, mm for STL, OBJ and "
+                     "OFF from PLY");
+  command.add_flag("--binary", choices.binary, "write STL as binary, without names of solids");
+  command.add_flag("--force", choices.force, "replace the output file");
 }
 
 }  // namespace
@@ -159,10 +318,13 @@ void add_mesh(CLI::App& app, int& exit_code) {
       ->required()
       ->type_name(a_mesh_file);
   command->add_option("--unit", choices->unit,
-                      "length unit of the file; default: 1 mm, or 1 m for the rock of a run");
+                      "length unit of the file; default: the unit that its header states, "
+                      "otherwise mm");
   command->add_flag("--repair", choices->repair,
                     "repair the solids so that they are closed and face outward; requires -o");
-  command->add_option("--weld", choices->weld, "a repair merges points up to this far apart")
+  command
+      ->add_option("--weld", choices->weld,
+                   "merge points up to this far apart before anything else")
       ->capture_default_str();
   command->add_flag("--grade", choices->grade,
                     "refine along sharp edges, coarsen flat and smooth faces; requires -o");
@@ -181,11 +343,8 @@ void add_mesh(CLI::App& app, int& exit_code) {
   command
       ->add_option("--deviation", choices->deviation, "largest permitted movement of the surface")
       ->capture_default_str();
-  command
-      ->add_option("-o,--output", choices->output,
-                   "the file to write, in the format of its extension; the input is not changed")
-      ->type_name(a_mesh_file);
-  command->add_flag("--force", choices->force, "replace the output file");
+  add_sheet_options(*command, *choices);
+  add_output_options(*command, *choices);
   command->footer("Example: tdbd mesh bit.stl --repair -o bit-repaired.stl");
   command->callback(
       [choices, &exit_code] { exit_code = guarded([&] { return inspect_or_write(*choices); }); });

@@ -39,9 +39,10 @@ constexpr std::array<std::string_view, 24> result_names = {
     "convergence.svg", "convergence.csv",    "string.nc",
     "string.rows",     "static.csv",         "modes.csv",
     "broomstick.csv",  "case.toml",          "convergence.json"};
-constexpr std::array<std::string_view, 11> bit_names = {
-    "bit.json", "cutters.csv", "profile.csv", "analysis.json", "bit.vtp", "bit.stl",
-    "bit.obj",  "bit.ply",     "bit.off",     "solids.toml",   "bit.toml"};
+constexpr std::array<std::string_view, 15> bit_names = {
+    "bit.json",       "cutters.csv",    "profile.csv",    "analysis.json", "bit.vtp",
+    "bit.stl",        "bit.obj",        "bit.ply",        "bit.off",       "bit-united.stl",
+    "bit-united.obj", "bit-united.ply", "bit-united.off", "solids.toml",   "bit.toml"};
 
 std::span<const std::string_view> names_of(ResultKind kind) {
   if (kind == ResultKind::bit) return bit_names;

@@ -105,6 +105,33 @@ TEST(BadRock, a_wrong_unit) {
   const SmallCase c = case_on({});
   c.edit("case.toml", "shape =", "unit = 1\nshape =");
   expect_wrong(c, "rock.off", "found edges of about 4.3e+03 mm with rock.unit = 1 m");
+  expect_wrong(c, "rock.off", "is it in mm (rock.unit = \"1 mm\": edges of ");
+}
+
+/// A sheet of 120 mm whose file is in metres, read as mm, and one that is narrower than the bit.
+TEST(BadRock, a_unit_that_makes_the_rock_too_small) {
+  const SmallCase small = case_on({.cells = 30, .edge = 0.004});
+  expect_wrong(small, "rock.off", "is it in m (rock.unit = \"1 m\": edges of ");
+  const SmallCase narrow = case_on({.cells = 8, .edge = 4.0});
+  const auto told = narrow.check();
+  EXPECT_NE(told.err.find("rock.unit: the rock is 32 mm wide with rock.unit = 0.001 m, and the "
+                          "bit"),
+            std::string::npos)
+      << told.err;
+}
+
+/// The header of the file states another unit than the case.
+TEST(BadRock, a_unit_other_than_the_file_states) {
+  const SmallCase c = case_on({});
+  c.write("rock.off", "OFF\n# tdbd unit mm" + off({}).substr(3));
+  EXPECT_EQ(c.check().exit_code, 0) << c.check().err;
+  c.edit("case.toml", "shape =", "unit = 1\nshape =");
+  const auto o = c.check();
+  EXPECT_EQ(o.exit_code, 2);
+  EXPECT_NE(o.err.find("rock.unit: found 1 m, but the header of "), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find("rock.off states the unit mm, expected the unit that the file states"),
+            std::string::npos)
+      << o.err;
 }
 
 TEST(BadRock, no_mesh_at_all) {

@@ -120,6 +120,52 @@ def check_doubts(folder):
     assert "doubts about the cutters: 1, on standard error" in doubtful.stdout
 
 
+def bounds(file):
+    """Largest coordinate of a text STL."""
+    return max(abs(float(x)) for line in file.read_text().splitlines() if line.startswith("vertex ") for x in line.split()[1:])
+
+
+def check_units(folder):
+    """CAD files are in mm and say so; the bit reads back the same; another unit and binary STL."""
+    out = folder / "units"
+    first = tdbd(BIT, "-o", out)
+    assert "wrote bit.stl in mm, parts/ in m\n" in first.stdout, first
+    assert (out / "bit.stl").read_text().startswith("solid cutter-1/face unit=mm\n")
+    assert 107 < bounds(out / "bit.stl") < 400, bounds(out / "bit.stl")
+    assert b"comment tdbd unit m\n" in (out / "parts/bit-body.ply").read_bytes()[:200]
+    bit = out / "solids.toml"
+    assert 'unit = "1 mm"' in bit.read_text()
+    bit.write_text(bit.read_text().replace('unit = "1 mm"\n', ""))
+    assert mass_line(tdbd(bit)) == mass_line(first) != []
+    bit.write_text(bit.read_text().replace('file = "bit.stl"', 'file = "bit.stl"\nunit = "1 m"'))
+    wrong = tdbd(bit)
+    assert wrong.returncode == 2 and "solids.unit: found 1 m, but the header of " in wrong.stderr, wrong
+    assert "states the unit mm, expected the unit that the file states, or no unit" in wrong.stderr, wrong
+    binary = tdbd(BIT, "-o", folder / "binary", "--binary", "--unit", "in")
+    assert "wrote bit.stl in in (binary), parts/ in m\n" in binary.stdout, binary
+    assert (folder / "binary/bit.stl").read_bytes().startswith(b"tdbd unit in ")
+    mass, again = (float(mass_line(x)[0].split()[1]) for x in (first, tdbd(folder / "binary/solids.toml")))
+    assert abs(again / mass - 1) < 1e-3, (mass, again)
+    for options, words in ((("--unit", "kg"), "--unit: found 'kg'"), (("--binary", "--solids", "obj"), "--binary: found --solids obj")):
+        bad = tdbd(BIT, "-o", folder / "no", *options)
+        assert bad.returncode == 2 and words in bad.stderr and not (folder / "no").exists(), bad
+    nowhere = tdbd(BIT, "--united")
+    assert nowhere.returncode == 2 and "--united: found no folder" in nowhere.stderr, nowhere
+
+
+def check_united(folder):
+    """One closed solid of all parts, in text and in binary."""
+    small = pathlib.Path(BIT).parent / "outside.toml"
+    for options in ((), ("--binary",)):
+        out = folder / f"united{len(options)}"
+        done = tdbd(small, "-o", out, "--united", *options)
+        assert done.returncode == 0 and "bit-united.stl in mm" in done.stdout, done
+        told = subprocess.run([PROGRAM, "mesh", out / "bit-united.stl"], capture_output=True, text=True)
+        assert told.returncode == 0 and len(told.stdout.splitlines()) == 2, told
+        again = tdbd(small, "-o", out, "--force", "--quiet")
+        assert again.returncode == 0 and not (out / "bit-united.stl").exists(), again
+
+
 def check_quiet(folder):
     done = tdbd(BIT, "-o", folder / "quiet", "--quiet")
     assert (done.returncode, done.stdout, done.stderr) == (0, "", ""), done
@@ -175,6 +221,8 @@ with tempfile.TemporaryDirectory() as name:
     check_facts()
     check_set(folder)
     check_doubts(folder)
+    check_units(folder)
+    check_united(folder)
     check_quiet(folder)
     check_refusals(folder)
     check_force(folder)

@@ -5,9 +5,11 @@ import json
 import pathlib
 import re
 import shlex
+import struct
 import subprocess
 import sys
 import tempfile
+from random import Random
 
 PROGRAM, BIT = sys.argv[1:3]
 CUBE = [(0, 0, 0), (40, 0, 0), (40, 40, 0), (0, 40, 0), (0, 0, 40), (40, 0, 40), (40, 40, 40),
@@ -215,15 +217,117 @@ def check_rock_of_a_run(folder):
     assert told.returncode == 0 and "the rock of a run after 5 steps" in told.stdout, told
     row = told.stdout.splitlines()[1].split()
     assert 200 < float(row[8]) < 220, row  # mm across
-    tiny = tdbd("mesh", rock, "--unit", "1 mm").stdout.splitlines()[1].split()
+    refused(tdbd("mesh", rock, "--unit", "1 mm"), "--unit: found 1 mm, but the header of ", "states the unit m")
+    bare = folder / "bare.ply"
+    bare.write_bytes(b"".join(line for line in rock.read_bytes().splitlines(keepends=True)
+                              if not line.startswith(b"comment tdbd")))
+    tiny = tdbd("mesh", bare, "--sheet", "--unit", "1 mm").stdout.splitlines()[-1].split()
     assert 0.2 < float(tiny[8]) < 0.22, tiny
-    (folder / "bare.ply").write_bytes(b"".join(line for line in rock.read_bytes().splitlines(keepends=True)
-                                               if not line.startswith(b"comment tdbd")))
-    refused(tdbd("mesh", folder / "bare.ply"), "hole")
+    refused(tdbd("mesh", bare), "hole", "tdbd mesh --sheet inspects it")
+
+
+def sheet_obj(z=0.0, holes=(), flipped=False, cells=8):
+    """A square sheet of 40 mm that faces against z; every hole is a cell, (column, row)."""
+    side = cells + 1
+    lines = [f"v {5 * i} {5 * j} {z}" for j in range(side) for i in range(side)]
+    for j in range(cells):
+        for i in range(cells):
+            if (i, j) in holes:
+                continue
+            a = j * side + i + 1
+            for t in ((a, a + side + 1, a + 1), (a, a + side, a + side + 1)):
+                lines.append("f {} {} {}".format(*(t[::-1] if flipped else t)))
+    return "\n".join(lines) + "\n"
+
+
+def check_sheets(folder):
+    """An open sheet is inspected as rock; its holes have places; it is changed only into a sheet that a case accepts."""
+    good, bad, out = folder / "good.obj", folder / "holes.obj", folder / "sheet.ply"
+    good.write_text(sheet_obj())
+    told = tdbd("mesh", good, "--sheet")
+    assert told.returncode == 0 and "rim of 32 edges, 56.57 mm across, at (20.0000, 20.0000, 0.0000) mm" in told.stdout, told
+    bad.write_text(sheet_obj(z=1, holes=((2, 2), (6, 1)), flipped=True))
+    told = tdbd("mesh", bad, "--sheet")
+    refused(told, "not one boundary loop: 3 loops", "--fill-holes fills the holes inside the rim")
+    assert told.stdout.count("hole of 4 edges, 7.071 mm across, at (") == 2, told
+    assert "(12.5000, 12.5000, 1.0000) mm" in told.stdout and "(32.5000, 7.5000, 1.0000) mm" in told.stdout, told
+    refused(tdbd("mesh", bad, "--fill-holes"), "--output: found no file")
+    filled = tdbd("mesh", bad, "--fill-holes", "-o", out)
+    refused(filled, "the facets face down, into the rock (z points down): does z point down in the file?", "--flip")
+    assert "2 holes filled" in filled.stdout and not out.exists(), filled
+    refused(tdbd("mesh", bad, "--fill-holes", "--repair", "-o", out), "--sheet: found --repair or --grade as well")
+    for how, z in (("--flip", "1"), ("--z-up", "-1")):
+        done = tdbd("mesh", bad, "--fill-holes", how, "-o", out, "--force")
+        assert done.returncode == 0 and f"wrote {out} in mm" in done.stdout, done
+        told = tdbd("mesh", out, "--sheet")
+        assert told.returncode == 0 and f"20.0000, {z}.0000) mm" in told.stdout, told
+    (folder / "two.obj").write_text(sheet_obj(holes=((2, 2), (4, 4), (4, 5))))
+    assert "hole of 6 edges" in tdbd("mesh", folder / "two.obj", "--sheet").stdout
+
+
+def cracked_stl(cells=12, seed=1):
+    """A binary STL of a cube of 40 mm whose triangles have points of their own, up to 0.0002 mm apart."""
+    random, facets = Random(seed), b""
+    for axis in range(3):
+        for end in (0, 40):
+            for i in range(cells):
+                for j in range(cells):
+                    u, v = (40 * i / cells, 40 * (i + 1) / cells), (40 * j / cells, 40 * (j + 1) / cells)
+                    square = [(u[0], v[0]), (u[1], v[0]), (u[1], v[1]), (u[0], v[1])]
+                    for corners in ((0, 1, 2), (0, 2, 3)):
+                        points = []
+                        for a, b in (square[k] for k in (corners if end else corners[::-1])):
+                            point = {0: [end, a, b], 1: [b, end, a], 2: [a, b, end]}[axis]
+                            points += [x + random.uniform(-1e-4, 1e-4) for x in point]
+                        facets += struct.pack("<12fH", 0, 0, 0, *points, 0)
+    return b"x" * 80 + struct.pack("<I", len(facets) // 50) + facets
+
+
+def check_cracks(folder):
+    """A soup of triangles: few lines, and the command that they suggest repairs it."""
+    soup = folder / "soup.stl"
+    soup.write_bytes(cracked_stl())
+    found = tdbd("mesh", soup)
+    refused(found, "and 1716 more", "5184 edges are open because points that should coincide differ slightly",
+            "with --weld '0.001 mm' 0 edges are open", "--repair --weld '0.001 mm' -o ")
+    assert len(found.stdout.splitlines()) + len(found.stderr.splitlines()) < 60, found
+    bare = tdbd("mesh", soup, "--repair", "-o", folder / "no.stl")
+    refused(bare, "with --weld '0.001 mm'")
+    assert len(bare.stderr.splitlines()) == 2 and not (folder / "no.stl").exists(), bare
+    command = shlex.split(re.search("to repair: tdbd (.*)", found.stderr).group(1))
+    done = tdbd(*command)
+    assert done.returncode == 0 and done.stderr == "", done
+    row = tdbd("mesh", command[-1]).stdout.splitlines()[1].split()
+    assert row[:5] == ["solid-1", "866", "1728", "1", "yes"] and 63999 < float(row[7]) < 64001, row
+    bit = folder / "soup.toml"
+    bit.write_text('name = "b"\n[solids]\nfile = "soup.stl"\n')
+    refused(tdbd("bit", bit), "--repair --weld '0.001 mm' -o ")
+
+
+def check_stated_units(folder):
+    """A mesh in a stated unit needs no --unit; another one is an error with both values. --binary and --output-unit."""
+    cube, metres = folder / "cube.stl", folder / "metres.stl"
+    done = tdbd("mesh", cube, "--grade", "-o", metres, "--output-unit", "m", "--binary", "--edge", "8 mm", "--face", "8 mm")
+    assert done.returncode == 0 and f"wrote {metres} in m\n" in done.stdout, done
+    assert metres.read_bytes().startswith(b"tdbd unit m "), metres.read_bytes()[:80]
+    row = tdbd("mesh", metres).stdout.splitlines()[1].split()
+    assert row[4:7] == ["yes"] * 3 and row[8] == "40.000", row
+    refused(tdbd("mesh", metres, "--unit", "mm"), "--unit: found 1 mm, but the header of ", "metres.stl states the unit m")
+    refused(tdbd("mesh", cube, "--output-unit", "kg", "--grade", "-o", folder / "no.stl"), "--output-unit: found 'kg'")
+    bit = folder / "stated.toml"
+    for text in ('[solids]\nfile = "metres.stl"\n{}[[solids.rules]]\nmatch = "*"\nkind = "face"\n',
+                 '[[parts]]\nname = "a"\nkind = "face"\nfile = "metres.stl"\n{}'):
+        bit.write_text('name = "b"\n' + text.format(""))
+        assert "63999.996" in tdbd("bit", bit).stdout, tdbd("bit", bit)  # in single precision
+        bit.write_text('name = "b"\n' + text.format('unit = "1 mm"\n'))
+        refused(tdbd("bit", bit), "unit: found 1 mm, but the header of ", "states the unit m", "or no unit")
+    case = folder / "stated-body.toml"
+    case.write_text('[body]\nmesh = "metres.stl"\ndensity = 7800\nunit = \"1 mm\"\n[time]\nstep = 0.01\nduration = 0.1\n')
+    refused(tdbd("check", case), "stated-body.toml:4: body.unit: found 1 mm, but the header of ", "states the unit m")
 
 
 with tempfile.TemporaryDirectory() as name:
     test_folder = pathlib.Path(name)
     for check in (check_inspection, check_repairs, check_refused_repairs, check_grading, check_growth, check_usual_grading, check_units,
-                  check_densities, check_round_trips, check_rock_of_a_run):
+                  check_densities, check_round_trips, check_rock_of_a_run, check_sheets, check_cracks, check_stated_units):
         check(test_folder)

@@ -259,8 +259,8 @@ std::set<std::string> files_in(const fs::path& folder) {
 void export_to(const fs::path& folder, const std::string& bit_file, const std::string& format) {
   const bit::Bit bit =
       bit::read_bit(bit_file, bit::DirectionRule::hybrid, bit::InsideRule::down).bit;
-  bit::export_bit(folder, bit, format);
-  bit::export_solids(folder, bit, "stl");
+  bit::export_bit(folder, bit, {.parts = format});
+  bit::export_solids(folder, bit, {.solids = "stl"});
 }
 
 /// What is left in parts/ once the folder is prepared for another bit.

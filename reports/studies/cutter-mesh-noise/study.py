@@ -45,7 +45,7 @@ def volumes(m, edge):
 
 def rim_and_facets(m, variant):
     m.output("tdbd", "bit", m.temporary / "bit.toml", "-o", m.temporary / "bit", "--force")
-    table = m.output("tdbd", "mesh", m.temporary / "bit/bit.stl", "--unit", "1 m").splitlines()
+    table = m.output("tdbd", "mesh", m.temporary / "bit/bit.stl").splitlines()
     kind, size = variant.split()[:2]
     return int(size) if kind == "graded" else round(np.pi * 19 / float(size)), sum(int(r.split()[2]) for r in table if r.startswith("cutter-1/"))
 

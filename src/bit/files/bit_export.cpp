@@ -15,8 +15,11 @@
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"
 #include "io/whole_file.hpp"
+#include "mesh/check/self_intersections.hpp"
 #include "mesh/files/files.hpp"
 #include "mesh/files/solids.hpp"
+#include "mesh/files/write_facets.hpp"
+#include "mesh/repair/repair.hpp"
 #include "rotation/screw.hpp"
 
 namespace tdbd::bit {
@@ -33,11 +36,17 @@ Part for_export(const Bit& bit, Part part) {
   return part;
 }
 
-std::string part_text(const Part& part, const std::string& file) {
+/// The value of the key `unit`: a quantity, such as "1 mm".
+std::string unit_text(const mesh::LengthUnit& unit) {
+  const bool has_number = unit.name.find_first_of("0123456789") == 0;
+  return toml_string(has_number ? unit.name : "1 " + unit.name);
+}
+
+std::string part_text(const Part& part, const std::string& file, const mesh::LengthUnit& unit) {
   std::string text = fmt::format(
-      "\n[[parts]]\nname = {}\nkind = {}\nfile = {}\nunit = \"1 m\"\ncutting = {}\n{}"
+      "\n[[parts]]\nname = {}\nkind = {}\nfile = {}\nunit = {}\ncutting = {}\n{}"
       "density = {}  # kg/m3\ngroup = {}\nposition = {}  # m\nrotation_vector = {}  # rad\n",
-      toml_string(part.name), toml_string(kind_name(part.kind)), toml_string(file),
+      toml_string(part.name), toml_string(kind_name(part.kind)), toml_string(file), unit_text(unit),
       final_cutting(part) == Cutting::cuts,
       final_cutting(part) == Cutting::rubs ? "rubs = true\n" : "", part.density, part.group,
       toml_vector(part.X_BP.p), toml_vector(rotation::log(part.X_BP.R)));
@@ -66,17 +75,30 @@ std::string rule_text(const Bit& bit, const Part& part, const std::string& match
                             toml_vector(X_BC.p), toml_vector(rotation::log(X_BC.R)));
 }
 
+/// The parts in the frame of the bit, with their names.
+std::vector<mesh::Solid> solids_B(const Bit& bit) {
+  std::vector<mesh::Solid> solids;
+  solids.reserve(bit.parts.size());
+  for (const Part& part : bit.parts) solids.push_back({part.name, mesh_B(part)});
+  return solids;
+}
+
 }  // namespace
 
-void export_bit(const std::filesystem::path& folder, const Bit& bit, const std::string& format) {
+mesh::LengthUnit unit_of_format(const ExportOptions& options, const std::string& format) {
+  return format == "ply" ? mesh::LengthUnit{} : options.unit;
+}
+
+void export_bit(const std::filesystem::path& folder, const Bit& bit, const ExportOptions& options) {
+  const mesh::LengthUnit unit = unit_of_format(options, options.parts);
   std::string toml =
       fmt::format("# A bit as the meshes of its parts.\nname = {}\n", toml_string(bit.name));
   for (const Part& each : bit.parts) {
     const Part part = for_export(bit, each);
-    const std::string file = fmt::format("parts/{}.{}", part.name, format);
+    const std::string file = fmt::format("parts/{}.{}", part.name, options.parts);
     make_folder((folder / file).parent_path());
-    mesh::write_mesh(folder / file, part.mesh_P);
-    toml += part_text(part, file);
+    mesh::write_mesh(folder / file, part.mesh_P, unit);
+    toml += part_text(part, file, unit);
   }
   toml += areas_text(bit);
   if (!bit.cones.empty()) toml = cone_bit_text(bit);
@@ -96,22 +118,44 @@ void write_profile(const std::filesystem::path& folder, const Bit& bit) {
   write_text(folder / "profile.csv", csv);
 }
 
-void export_solids(const std::filesystem::path& folder, const Bit& bit, const std::string& format) {
-  const bool has_names = format == "stl" || format == "obj";
-  std::vector<mesh::Solid> solids;
-  solids.reserve(bit.parts.size());
+void export_solids(const std::filesystem::path& folder, const Bit& bit,
+                   const ExportOptions& options) {
+  const std::string& format = options.solids;
+  const mesh::LengthUnit unit = unit_of_format(options, format);
+  const bool has_names = (format == "stl" && options.stl == mesh::StlKind::text) || format == "obj";
   std::string toml = fmt::format(
       "# A bit whose parts are in one mesh file.\nname = {}\n\n[solids]\nfile = \"bit.{}\"\nunit = "
-      "\"1 m\"\n",
-      toml_string(bit.name), format);
+      "{}\n",
+      toml_string(bit.name), format, unit_text(unit));
+  std::size_t number = 0;
   for (const Part& part : bit.parts) {
-    solids.push_back({part.name, mesh_B(part)});
-    toml += rule_text(bit, part, has_names ? part.name : fmt::format("solid-{}", solids.size()));
+    ++number;
+    toml += rule_text(bit, part, has_names ? part.name : fmt::format("solid-{}", number));
   }
   for (const Cone& cone : bit.cones) toml += cone_text_of(cone);
   toml += areas_text(bit);
-  mesh::write_solids(folder / ("bit." + format), solids);
+  mesh::write_solids(folder / ("bit." + format), solids_B(bit), {unit, options.stl});
   write_text(folder / "solids.toml", toml);
+}
+
+mesh::TriangleMesh united_parts(const Bit& bit, const ExportOptions& options) {
+  const mesh::LengthUnit unit = unit_of_format(options, options.solids);
+  const bool is_single = options.solids == "stl" && options.stl == mesh::StlKind::binary;
+  const auto is_sound = [&](const mesh::TriangleMesh& m) {
+    return !is_single || mesh::check_solid(mesh::in_single_precision(m, {unit, {}})).empty();
+  };
+  mesh::United united = mesh::unite(solids_B(bit), is_sound);
+  if (united.refusal.empty()) return std::move(united.mesh);
+  throw InputError(
+      fmt::format("--united: {}: found parts whose union is no sound solid{}, expected one{}: {}",
+                  bit.name, is_single ? " in the single precision of binary STL" : "",
+                  is_single ? " (without --binary the file has all digits)" : "", united.refusal));
+}
+
+void export_united(const std::filesystem::path& folder, const Bit& bit,
+                   const mesh::TriangleMesh& united, const ExportOptions& options) {
+  mesh::write_solids(folder / ("bit-united." + options.solids), {{bit.name, united}},
+                     {unit_of_format(options, options.solids), options.stl});
 }
 
 }  // namespace tdbd::bit

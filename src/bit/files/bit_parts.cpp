@@ -21,6 +21,7 @@ mesh::TriangleMesh read_part_mesh(Config& c, const std::string& name) {
   MeshFile s;
   read_fields(c, s);
   const std::string expected = "a closed mesh with outward normals (STL, OBJ, PLY or OFF)";
+  if (contradicts_unit(c, s.file, s.unit)) return {};
   try {
     mesh::TriangleMesh m = mesh::read_mesh(s.file, s.unit);
     report_mesh_faults(c, "file", s.file, {{name, m}}, expected);

@@ -6,6 +6,7 @@
 
 #include "bit/files/mesh_cutters.hpp"
 #include "bit/files/pdc_file.hpp"
+#include "mesh/files/length_unit.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/repair.hpp"
 
@@ -58,6 +59,12 @@ void report_mesh_faults(Config& c, const std::string& key, const std::string& fi
   if (lines.empty()) return;
   c.problem(key, file + ", which bounds no solid", expected);
   for (const std::string& line : lines) c.other_file(line);
+}
+
+bool contradicts_unit(Config& c, const std::string& file, double unit) {
+  const std::string found = mesh::unit_contradiction(file, unit);
+  if (!found.empty()) c.problem("unit", found, "the unit that the file states, or no unit");
+  return !found.empty();
 }
 
 std::string unit_question(double size, double unit, const SizeRange& usual) {

@@ -42,6 +42,10 @@ inline constexpr const char* expected_density =
 void report_mesh_faults(Config& c, const std::string& key, const std::string& file,
                         const std::vector<mesh::Solid>& solids, const std::string& expected);
 
+/// Whether the header of a mesh file states a unit other than the one given, m. Records that as a
+/// mistake at the key `unit`.
+bool contradicts_unit(Config& c, const std::string& file, double unit);
+
 /// The usual range of sizes of a kind of object.
 struct SizeRange {
   const char* thing;   ///< its name in messages: "a bit"

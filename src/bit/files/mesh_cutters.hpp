@@ -8,6 +8,7 @@
 #include "bit/files/bit_parts.hpp"
 #include "bit/files/file_checks.hpp"
 #include "core/config/field.hpp"
+#include "mesh/files/length_unit.hpp"
 
 namespace tdbd::bit {
 
@@ -22,8 +23,10 @@ struct MeshFile {
     v.path(file, {.name = "file",
                   .need = Need::required,
                   .meaning = "a closed mesh with outward normals (STL, OBJ, PLY or OFF)"});
+    unit = mesh::unit_or(file, unit);
     v(unit, {.name = "unit",
              .unit = "m",
+             .computed_default = "the unit that the file states, otherwise 1 mm",
              .range = Range::positive(),
              .meaning = "length of the mesh file's unit"});
   }

@@ -22,7 +22,7 @@ namespace {
 constexpr const char* solids_wanted = "closed meshes with outward normals (STL, OBJ, PLY or OFF)";
 
 std::vector<mesh::Solid> read_file(Config& c, const SolidSettings& s) {
-  if (s.file.empty()) return {};
+  if (s.file.empty() || contradicts_unit(c, s.file, s.unit)) return {};
   try {
     std::vector<mesh::Solid> solids = mesh::read_solids(s.file, s.unit);
     report_mesh_faults(c, "file", s.file, solids, solids_wanted);

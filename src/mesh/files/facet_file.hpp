@@ -2,21 +2,27 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "mesh/files/length_unit.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace tdbd::mesh {
 
-/// The content of a mesh file in the unit of the file: points, polygons, and the body of each
-/// polygon (a solid of a text STL, a group of an OBJ).
+/// The content of a mesh file: points, polygons, and the body of each polygon (a solid of a text
+/// STL, a group of an OBJ). Points are in the unit of the file. Those of a text file that states a
+/// decimal unit are in m, converted digit by digit (decimal_number).
 struct FacetFile {
   std::vector<Vec3> points;
   std::vector<std::vector<int>> polygons;
   std::vector<std::string> names;  ///< names of bodies in file order; empty for PLY and OFF
   std::vector<int> body;           ///< index into names per polygon; empty without names
+  std::optional<LengthUnit> unit = std::nullopt;  ///< stated by the header
+  enum class Points { in_file_unit, in_m };
+  Points points_are = Points::in_file_unit;
 };
 
 /// Reads STL (binary or text), OBJ, PLY or OFF. The extension, in upper or lower case, selects the
@@ -35,12 +41,13 @@ StlKind stl_kind(std::string_view bytes, const std::string& path);
 /// Reads an STL file of kind `binary`. Throws InputError if a coordinate is not finite.
 FacetFile read_binary_stl(std::string_view bytes, const std::string& path);
 
-/// Reads a text STL with any number of solids. `path` is used in error messages.
-FacetFile read_text_stl(std::istream& in, const std::string& path);
+/// Reads a text STL with any number of solids, whose names may state one unit. `path` is used in
+/// error messages. Coordinates of text files are multiplied by 10^power.
+FacetFile read_text_stl(std::istream& in, const std::string& path, int power = 0);
 
 /// Reads v and f of an OBJ file; g and o start a body. Colours, normals, textures and materials are
 /// ignored.
-FacetFile read_obj(std::istream& in, const std::string& path);
+FacetFile read_obj(std::istream& in, const std::string& path, int power = 0);
 
 /// Reads a PLY file, text or binary of either byte order: x, y and z of `vertex`, and the list
 /// vertex_indices (or vertex_index) of `face`. Everything else is ignored.
@@ -48,7 +55,7 @@ FacetFile read_ply(std::string_view bytes, const std::string& path);
 
 /// Reads a text OFF file. Each vertex and each facet starts a new line. Colours, normals and
 /// textures are ignored.
-FacetFile read_off(std::string_view text, const std::string& path);
+FacetFile read_off(std::string_view text, const std::string& path, int power = 0);
 
 /// Largest permitted coordinate of a mesh, m: larger than any rock, and small enough that products
 /// of six coordinates do not overflow.
@@ -56,7 +63,7 @@ inline constexpr double largest_coordinate = 1e6;
 
 /// Splits the polygons into fans of triangles about their first corners; positions in m. If given,
 /// body_of_triangle receives the body of every triangle. Throws InputError with `path` if a
-/// coordinate exceeds largest_coordinate.
+/// coordinate exceeds largest_coordinate, or if the file states a unit other than `unit`.
 TriangleMesh triangulated(const FacetFile& file, const std::filesystem::path& path, double unit,
                           std::vector<int>* body_of_triangle = nullptr);
 

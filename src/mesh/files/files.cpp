@@ -1,10 +1,5 @@
 #include "mesh/files/files.hpp"
 
-#include <CGAL/IO/OBJ.h>
-#include <CGAL/IO/OFF.h>
-#include <CGAL/IO/PLY.h>
-#include <CGAL/IO/STL.h>
-#include <CGAL/Simple_cartesian.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,18 +13,11 @@
 #include "io/whole_file.hpp"
 #include "mesh/files/facet_file.hpp"
 #include "mesh/files/ply.hpp"
+#include "mesh/files/solids.hpp"
+#include "mesh/files/write_facets.hpp"
 
 namespace tdbd::mesh {
 namespace {
-
-using FilePoint = CGAL::Simple_cartesian<double>::Point_3;
-using Polygon = std::vector<int>;
-
-/// Points and polygons in the types that CGAL reads and writes.
-struct Soup {
-  std::vector<FilePoint> points;
-  std::vector<Polygon> polygons;
-};
 
 [[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& reason) {
   throw InputError(fmt::format("{}: {}", path.string(), reason));
@@ -68,32 +56,38 @@ void require_small(const std::filesystem::path& path, const std::vector<Vec3>& p
                                      v, x.x(), x.y(), x.z(), largest_coordinate));
 }
 
+FacetFile read_text(std::string bytes, const std::string& extension, const std::string& name,
+                    int power) {
+  if (extension == ".off") return read_off(bytes, name, power);
+  std::istringstream text(std::move(bytes));
+  return extension == ".obj" ? read_obj(text, name, power) : read_text_stl(text, name, power);
+}
+
 FacetFile read_any(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path), name = path.string();
   std::string bytes = read_file(path, "a mesh file");
-  if (extension == ".ply") return read_ply(bytes, name);
-  if (extension == ".off") return read_off(bytes, name);
-  if (extension == ".stl" && stl_kind(bytes, name) == StlKind::binary)
-    return read_binary_stl(bytes, name);
-  std::istringstream text(std::move(bytes));
-  return extension == ".obj" ? read_obj(text, name) : read_text_stl(text, name);
+  const auto unit = stated_unit(bytes, extension);
+  const bool is_binary_stl = extension == ".stl" && stl_kind(bytes, name) == StlKind::binary;
+  FacetFile file;
+  if (extension == ".ply" || is_binary_stl) {
+    file = is_binary_stl ? read_binary_stl(bytes, name) : read_ply(bytes, name);
+  } else {
+    const auto power = unit ? unit->power : std::nullopt;
+    file = read_text(std::move(bytes), extension, name, power.value_or(0));
+    if (power) file.points_are = FacetFile::Points::in_m;
+  }
+  file.unit = unit;
+  return file;
 }
 
-Soup soup_of(const TriangleMesh& m) {
-  Soup soup;
-  soup.points.reserve(m.positions.size());
-  soup.polygons.reserve(m.triangles.size());
-  for (const Vec3& x : m.positions) soup.points.emplace_back(x.x(), x.y(), x.z());
-  for (const Triangle& t : m.triangles) soup.polygons.push_back({t[0], t[1], t[2]});
-  return soup;
-}
-
-void write_soup(std::ostream& out, const std::string& extension, const Soup& soup) {
-  out.precision(17);
-  CGAL::IO::set_mode(out, extension == ".stl" ? CGAL::IO::BINARY : CGAL::IO::ASCII);
-  if (extension == ".stl") CGAL::IO::write_STL(out, soup.points, soup.polygons);
-  if (extension == ".obj") CGAL::IO::write_OBJ(out, soup.points, soup.polygons);
-  if (extension == ".off") CGAL::IO::write_OFF(out, soup.points, soup.polygons);
+/// The format has no names.
+void write_bodies_as_ply(std::ostream& out, const std::vector<Solid>& solids,
+                         const FileCoordinates& c) {
+  TriangleMesh all = merged(solids);
+  for (Vec3& x : all.positions) x = c.value(x);
+  std::vector<std::string> comments;
+  if (c.unit) comments.push_back(unit_comment(*c.unit));
+  write_ply(out, all, comments);
 }
 
 }  // namespace
@@ -114,12 +108,15 @@ FacetFile read_facets(const std::filesystem::path& path) {
 
 TriangleMesh triangulated(const FacetFile& file, const std::filesystem::path& path, double unit,
                           std::vector<int>* body_of_triangle) {
+  if (const std::string found = unit_contradiction(path, file.unit, unit); !found.empty())
+    fail_to_read(path, fmt::format("found the unit {}", found));
+  const double scale = file.points_are == FacetFile::Points::in_m ? 1.0 : unit;
   TriangleMesh m;
   m.positions.reserve(file.points.size());
-  for (const Vec3& x : file.points) m.positions.push_back(unit * x);
+  for (const Vec3& x : file.points) m.positions.push_back(scale * x);
   require_small(path, m.positions);
   for (std::size_t i = 0; i < file.polygons.size(); ++i) {
-    const Polygon& p = file.polygons[i];
+    const std::vector<int>& p = file.polygons[i];
     for (std::size_t k = 2; k < p.size(); ++k) m.triangles.push_back({p[0], p[k - 1], p[k]});
     if (body_of_triangle != nullptr && !file.body.empty())
       body_of_triangle->insert(body_of_triangle->end(), p.size() - 2, file.body[i]);
@@ -131,13 +128,35 @@ TriangleMesh read_mesh(const std::filesystem::path& path, double unit) {
   return triangulated(read_facets(path), path, unit);
 }
 
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& m) {
+TriangleMesh merged(const std::vector<Solid>& solids) {
+  TriangleMesh all;
+  for (const Solid& solid : solids) {
+    const int first = static_cast<int>(all.positions.size());
+    all.positions.insert(all.positions.end(), solid.mesh.positions.begin(),
+                         solid.mesh.positions.end());
+    for (const Triangle& t : solid.mesh.triangles)
+      all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  return all;
+}
+
+void write_bodies(const std::filesystem::path& path, const std::vector<Solid>& solids,
+                  const FileCoordinates& c, StlKind stl) {
   require_known(path);
   AtomicFile file(path);
   const std::string extension = lower_extension(path);
-  if (extension == ".ply") write_ply(file.stream(), m);
-  if (extension != ".ply") write_soup(file.stream(), extension, soup_of(m));
+  if (extension == ".ply") write_bodies_as_ply(file.stream(), solids, c);
+  if (extension == ".obj") write_obj(file.stream(), solids, c);
+  if (extension == ".off") write_off(file.stream(), solids, c);
+  if (extension == ".stl" && stl == StlKind::text) write_text_stl(file.stream(), solids, c);
+  if (extension == ".stl" && stl == StlKind::binary) write_binary_stl(file.stream(), solids, c);
   file.commit();
+}
+
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& m,
+                const std::optional<LengthUnit>& unit) {
+  const auto format = lower_extension(path) == ".stl" ? StlKind::binary : StlKind::text;
+  write_bodies(path, {{"", m}}, {unit, {}}, format);
 }
 
 }  // namespace tdbd::mesh

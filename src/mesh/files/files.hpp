@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
+#include "mesh/files/length_unit.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace tdbd::mesh {
@@ -10,12 +12,15 @@ namespace tdbd::mesh {
 /// format. `unit` is the length of one file unit in metres: 1e-3 for a file in millimetres.
 /// Polygons are split into fans of triangles; equal points of an STL file become one vertex.
 /// Nothing else is repaired; check_closed reports the defects. Throws InputError with path and
-/// reason.
+/// reason, also if the header of the file states another unit.
 TriangleMesh read_mesh(const std::filesystem::path& path, double unit);
 
-/// Writes `m`, in metres, in the format given by the extension: .stl and .ply are binary (single
-/// and double precision), .obj and .off are text with 17 digits. The file is written completely or
-/// not at all. Throws RunError if it cannot be written, InputError for an unknown extension.
-void write_mesh(const std::filesystem::path& path, const TriangleMesh& m);
+/// Writes `m` in the format given by the extension: .stl and .ply are binary (single and double
+/// precision), .obj and .off are text with all digits. Coordinates are in `unit`, which the header
+/// states; without one they are the positions as they are, and the header states no unit. A text
+/// file in a decimal unit reads back bitwise identical. The file is written completely or not at
+/// all. Throws RunError if it cannot be written, InputError for an unknown extension.
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& m,
+                const std::optional<LengthUnit>& unit = std::nullopt);
 
 }  // namespace tdbd::mesh

@@ -72,9 +72,9 @@ void drop_empty_bodies(FacetFile& file) {
 
 }  // namespace
 
-FacetFile read_obj(std::istream& in, const std::string& path) {
+FacetFile read_obj(std::istream& in, const std::string& path, int power) {
   FacetFile file;
-  TextLines lines(in, path);
+  TextLines lines(in, path, power);
   std::string name;
   while (lines.next()) {
     const std::string& word = lines.words()[0];
@@ -138,8 +138,9 @@ std::vector<int> off_polygon(TextCursor& in, std::size_t points) {
 
 }  // namespace
 
-FacetFile read_off(std::string_view text, const std::string& path) {
-  TextCursor in(text, path);
+FacetFile read_off(std::string_view text, const std::string& path, int power) {
+  constexpr long first_line = 1;
+  TextCursor in(text, path, first_line, power);
   read_off_keyword(in);
   const std::size_t points = off_count(in, "vertices", sizeof "0 0 0" - 1);
   const std::size_t polygons = off_count(in, "facets", sizeof "3 0 0 0" - 1);

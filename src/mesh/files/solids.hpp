@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
+#include "mesh/files/facet_file.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace tdbd::mesh {
@@ -10,21 +12,30 @@ namespace tdbd::mesh {
 /// Reads the bodies of a file in file order: the named solids of a text STL or the groups of an
 /// OBJ. Files without names (binary STL, PLY, OFF, an OBJ without groups) are split by divide();
 /// the pieces are named solid-1, solid-2, ... `unit` is the length of one file unit in metres.
-/// Polygons are split into fans; nothing is repaired. Throws InputError with path, line and reason.
-std::vector<Solid> read_solids(const std::filesystem::path& path, double unit);
+/// Polygons are split into fans. Before a file without names is split, points at most `weld` (m)
+/// apart are merged (weld_points); nothing else is repaired. Throws InputError with path, line and
+/// reason.
+std::vector<Solid> read_solids(const std::filesystem::path& path, double unit, double weld = 0.0);
 
 /// Merges all bodies into one mesh. Bodies share no vertices.
 TriangleMesh merged(const std::vector<Solid>& solids);
 
-/// Writes bodies, positions in m, in the format given by the extension: .stl as text with one solid
-/// per body, .obj with one group per body, .ply and .off one after the other without names.
-/// Coordinates are written with full double precision. The file is written completely or not at
-/// all. Throws RunError or InputError.
-void write_solids(const std::filesystem::path& path, const std::vector<Solid>& solids);
+/// How bodies are written.
+struct SolidFormat {
+  std::optional<LengthUnit> unit = std::nullopt;  ///< as for write_mesh
+  StlKind stl = StlKind::text;  ///< binary: without names, coordinates in single precision
+};
 
-/// Like write_solids, with positions in `unit` (metres per file unit). A point that is also in the
-/// file `original`, which has the same unit, is written with the digits it has there.
-void write_in_unit_of(const std::filesystem::path& path, std::vector<Solid> solids,
-                      const std::filesystem::path& original, double unit);
+/// Writes bodies, positions in m, in the format given by the extension: .stl with one solid per
+/// body, .obj with one group per body, .ply and .off one after the other without names. Text and
+/// PLY store coordinates with all digits. The file is written completely or not at all. Throws
+/// RunError or InputError.
+void write_solids(const std::filesystem::path& path, const std::vector<Solid>& solids,
+                  const SolidFormat& format = {});
+
+/// Like write_solids. A point that is also in the file `original`, which has the unit `unit`
+/// (metres per file unit), is written with the digits it has there if both files have that unit.
+void write_like(const std::filesystem::path& path, const std::vector<Solid>& solids,
+                const SolidFormat& format, const std::filesystem::path& original, double unit);
 
 }  // namespace tdbd::mesh

@@ -106,14 +106,25 @@ std::vector<int> read_facet(TextLines& lines, MergedPoints& points) {
   return corners;
 }
 
+/// Reads the name of a solid without the unit, which the first solid states for the whole file.
+std::string name_of_solid(const TextLines& lines, FacetFile& file) {
+  std::string name = lines.rest();
+  const auto unit = take_unit_of_name(name);
+  if (file.names.empty()) file.unit = unit;
+  const auto text = [](const auto& u) { return u ? "unit=" + u->name : std::string("no unit"); };
+  if (text(unit) != text(file.unit))
+    lines.fail(text(unit), text(file.unit) + ", as in the line of the first solid");
+  return name;
+}
+
 }  // namespace
 
-FacetFile read_text_stl(std::istream& in, const std::string& path) {
+FacetFile read_text_stl(std::istream& in, const std::string& path, int power) {
   FacetFile file;
-  TextLines lines(in, path);
+  TextLines lines(in, path, power);
   while (lines.next()) {
     if (lines.words()[0] != "solid") lines.fail('\'' + lines.words()[0] + '\'', "'solid NAME'");
-    file.names.push_back(lines.rest());
+    file.names.push_back(name_of_solid(lines, file));
     MergedPoints points(file.points);
     for (;;) {
       if (!lines.next()) lines.fail("the end of the file", "'facet' or 'endsolid'");

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <sstream>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "mesh/files/length_unit.hpp"
 
 namespace tdbd::mesh {
 namespace {
@@ -28,8 +28,8 @@ std::string quoted(std::string_view word) { return fmt::format("'{}'", word); }
 
 }  // namespace
 
-TextCursor::TextCursor(std::string_view text, std::string path, long line)
-    : text_(text), path_(std::move(path)), line_(line) {}
+TextCursor::TextCursor(std::string_view text, std::string path, long line, int power)
+    : text_(text), path_(std::move(path)), line_(line), power_(power) {}
 
 std::string_view TextCursor::word_on_this_line() {
   text_.remove_prefix(std::min(text_.find_first_not_of(blanks), text_.size()));
@@ -48,9 +48,9 @@ std::string_view TextCursor::word(std::string_view expected) {
 
 double TextCursor::number() {
   const std::string_view found = word("a finite number");
-  double value = 0.0;
-  if (!fills(found, value) || !std::isfinite(value)) fail(quoted(found), "a finite number");
-  return value;
+  const auto value = decimal_number(found, power_);
+  if (!value) fail(quoted(found), "a finite number");
+  return *value;
 }
 
 std::int64_t TextCursor::whole(std::string_view expected) {
@@ -70,7 +70,8 @@ void TextCursor::fail(std::string_view found, std::string_view expected) const {
   throw InputError(fmt::format("{}:{}: found {}, expected {}", path_, line_, found, expected));
 }
 
-TextLines::TextLines(std::istream& in, std::string path) : in_(in), path_(std::move(path)) {}
+TextLines::TextLines(std::istream& in, std::string path, int power)
+    : in_(in), path_(std::move(path)), power_(power) {}
 
 bool TextLines::next() {
   words_.clear();
@@ -94,12 +95,9 @@ Vec3 TextLines::point(std::size_t first) const {
     fail(fmt::format("{} words", words_.size()), fmt::format("'{}' and three numbers", words_[0]));
   Vec3 x = Vec3::Zero();
   for (std::size_t k = 0; k < 3; ++k) {
-    std::string_view word = words_[first + k];
-    if (word.starts_with('+')) word.remove_prefix(1);
-    double& value = x[static_cast<Eigen::Index>(k)];
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
-      fail('\'' + words_[first + k] + '\'', "a finite number");
+    const auto value = decimal_number(words_[first + k], power_);
+    if (!value) fail('\'' + words_[first + k] + '\'', "a finite number");
+    x[static_cast<Eigen::Index>(k)] = *value;
   }
   return x;
 }

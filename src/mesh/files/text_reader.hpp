@@ -15,8 +15,9 @@ namespace tdbd::mesh {
 /// # starts a comment that ends with its line.
 class TextCursor {
  public:
-  /// `text` must outlive the cursor; `line` is the number of its first line in the file.
-  TextCursor(std::string_view text, std::string path, long line = 1);
+  /// `text` must outlive the cursor; `line` is the number of its first line in the file. number()
+  /// multiplies by 10^power.
+  TextCursor(std::string_view text, std::string path, long line = 1, int power = 0);
 
   /// Reads the next word. At the end of the text it throws InputError with `expected`.
   std::string_view word(std::string_view expected);
@@ -41,12 +42,14 @@ class TextCursor {
   std::string_view text_;
   std::string path_;
   long line_;
+  int power_;
 };
 
 /// Reads a text file line by line and keeps the line number for messages.
 class TextLines {
  public:
-  TextLines(std::istream& in, std::string path);
+  /// point() multiplies by 10^power.
+  TextLines(std::istream& in, std::string path, int power = 0);
 
   /// Moves to the next line that has a word before any comment (#). Returns false at the end of the
   /// file.
@@ -69,6 +72,7 @@ class TextLines {
   std::string path_, line_;
   std::vector<std::string> words_;
   long number_ = 0;
+  int power_;
 };
 
 }  // namespace tdbd::mesh

@@ -11,6 +11,7 @@
 
 #include "mesh/check/check.hpp"
 #include "mesh/check/self_intersections.hpp"
+#include "mesh/files/solids.hpp"
 #include "mesh/repair/repair_steps.hpp"
 
 namespace tdbd::mesh {
@@ -101,7 +102,7 @@ std::string advice(const std::filesystem::path& path, Trial trial, const std::st
     return fmt::format("{}: tdbd mesh --repair cannot repair this: {}", path.string(),
                        refusal.substr(0, refusal.find('\n')));
   return fmt::format("{}: to {}: {}", path.string(),
-                     trial == Trial::all ? "repair" : "try a repair", repair_command(path));
+                     trial == Trial::all ? "repair" : "try a repair", repair_command(path, ""));
 }
 
 void record(Repaired& r, std::size_t count, const std::string& what) {
@@ -150,30 +151,66 @@ Repaired repair(TriangleMesh m, const RepairOptions& options) {
   return r;
 }
 
-std::string repair_command(const std::filesystem::path& path) {
+std::string repair_command(const std::filesystem::path& path, const std::string& weld) {
   std::filesystem::path out = path;
   out.replace_filename(path.stem().string() + "-repaired" + path.extension().string());
-  return fmt::format("tdbd mesh {} --repair -o {}", shell_quoted(path.string()),
+  return fmt::format("tdbd mesh {} --repair{} -o {}", shell_quoted(path.string()),
+                     weld.empty() ? "" : " --weld " + shell_quoted(weld),
                      shell_quoted(out.string()));
 }
 
+std::optional<WeldHint> crack_hint(const std::vector<Solid>& solids) {
+  std::vector<const Solid*> open;
+  for (const Solid& solid : solids)
+    if (open_edges(solid.mesh) > 0) open.push_back(&solid);
+  if (open.empty()) return std::nullopt;
+  return 2 * open.size() > solids.size() ? weld_hint(merged(solids)) : weld_hint(open[0]->mesh);
+}
+
+namespace {
+
+/// Tries a repair to find out whether it is possible.
+std::string advice_from_trials(const std::filesystem::path& path,
+                               const std::vector<const Solid*>& faulty) {
+  constexpr std::size_t most_trials = 12;
+  std::string refusal;
+  Trial trial = faulty.size() > most_trials ? Trial::some : Trial::all;
+  for (std::size_t i = 0; i < std::min(most_trials, faulty.size()); ++i)
+    if (!repair_is_fast(check_solid(faulty[i]->mesh)))
+      trial = Trial::some;
+    else if (refusal.empty())
+      refusal = repair(faulty[i]->mesh).refusal;
+  return advice(path, trial, refusal);
+}
+
+}  // namespace
+
 std::vector<std::string> mesh_faults(const std::filesystem::path& path,
                                      const std::vector<Solid>& solids) {
+  constexpr std::size_t most_lines = 12;
   std::vector<std::string> lines;
-  std::string refusal;
-  Trial trial = Trial::all;
+  std::vector<const Solid*> faulty;
+  std::size_t more = 0;
   for (const Solid& solid : solids) {
     const auto defects = check_solid(solid.mesh);
     if (defects.empty()) continue;
+    faulty.push_back(&solid);
     std::istringstream text(summarize(defects));
     for (std::string line; std::getline(text, line);)
-      lines.push_back(fmt::format("{}: solid {}: {}", path.string(), solid.name, line));
-    if (!repair_is_fast(defects))
-      trial = Trial::some;
-    else if (refusal.empty())
-      refusal = repair(solid.mesh).refusal;
+      if (lines.size() < most_lines)
+        lines.push_back(fmt::format("{}: solid {}: {}", path.string(), solid.name, line));
+      else
+        ++more;
   }
-  if (!lines.empty()) lines.push_back(advice(path, trial, refusal));
+  if (lines.empty()) return lines;
+  if (more > 0) lines.push_back(fmt::format("{}: and {} more", path.string(), more));
+  if (const auto hint = crack_hint(solids)) {
+    lines.push_back(fmt::format("{}: {}", path.string(), describe(*hint)));
+    lines.push_back(
+        fmt::format("{}: to repair: {}", path.string(), repair_command(path, weld_text(*hint))));
+  } else {
+    lines.push_back(advice_from_trials(path, faulty));
+  }
   return lines;
 }
 

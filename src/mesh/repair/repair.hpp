@@ -2,9 +2,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "mesh/check/weld.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/triangle_mesh.hpp"
 
@@ -73,14 +76,36 @@ struct Repaired {
 /// generator (3.3).
 Repaired repair(TriangleMesh m, const RepairOptions& options = {});
 
-/// The command line that writes a repaired copy next to `path`.
-std::string repair_command(const std::filesystem::path& path);
+/// The command line that writes a repaired copy next to `path`. `weld`: value of --weld, or empty.
+std::string repair_command(const std::filesystem::path& path, const std::string& weld);
+
+/// A weld distance that closes cracks of the solids (weld_hint). If most solids have open edges,
+/// they are pieces of a mesh whose points differ slightly, and are welded together.
+std::optional<WeldHint> crack_hint(const std::vector<Solid>& solids);
 
 /// Describes the defects of the solids of a file, one per line ("PATH: solid NAME: hole: 3 times,
-/// first edge ..."). The last line is the command that repairs the file, or the reason why it
-/// cannot be repaired. With more than 1000 open edges no repair is tried, so the command may fail.
-/// Empty for sound solids.
+/// first edge ..."), at most twelve and the number of others. The last line is the command that
+/// repairs the file, or the reason why it cannot be repaired. For cracks the command has a weld
+/// distance. With more than 1000 open edges no repair is tried, so the command may fail. Empty for
+/// sound solids.
 std::vector<std::string> mesh_faults(const std::filesystem::path& path,
                                      const std::vector<Solid>& solids);
+
+/// The union of solids, or why there is none.
+struct United {
+  TriangleMesh mesh;    ///< closed, oriented outwards, without intersections
+  std::string refusal;  ///< empty on success
+};
+
+/// Computes the union of closed solids with exact arithmetic [CGAL] and rounds it to doubles. The
+/// result is empty for no solids. Rounding makes facets without area where surfaces nearly
+/// coincide. Therefore points within a distance of at most 1 um are merged, the smallest distance
+/// for which check_solid finds no defect and `is_sound` is true. If there is none, or the union is
+/// not a manifold, because solids touch in an edge or surfaces nearly coincide, all solids are
+/// enlarged by at most 0.1 um, then by 1 um, so that solids that touch overlap. Refused are solids
+/// with defects, and those that have no sound union nevertheless. The union is an addition of TDBD
+/// [+].
+United unite(const std::vector<Solid>& solids,
+             const std::function<bool(const TriangleMesh&)>& is_sound);
 
 }  // namespace tdbd::mesh

@@ -13,6 +13,7 @@
 #include "mesh/check/check.hpp"
 #include "mesh/check/self_intersections.hpp"
 #include "mesh/measures.hpp"
+#include "mesh/repair/quiet_cgal.hpp"
 #include "mesh/repair/repair_steps.hpp"
 
 namespace tdbd::mesh {
@@ -89,6 +90,7 @@ bool remesh(TriangleMesh& m) {
 }  // namespace
 
 std::vector<Triangle> triangulate_loop(const std::vector<Vec3>& loop) {
+  const QuietCgal quiet;
   std::vector<Kernel::Point_3> points;
   points.reserve(loop.size());
   for (const Vec3& x : loop) points.push_back(to_cgal(x));
@@ -105,6 +107,7 @@ std::vector<Triangle> triangulate_loop(const std::vector<Vec3>& loop) {
 }
 
 bool remove_intersections(TriangleMesh& m) {
+  const QuietCgal quiet;
   try {
     TriangleMesh united = m;
     if (unite(united) && clean_up(united)) {

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "mesh/check/check.hpp"
 #include "mesh/check/self_intersections.hpp"
+#include "mesh/check/weld.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/repair_steps.hpp"
 #include "mesh/search/triangle_tree.hpp"
@@ -34,25 +34,6 @@ std::size_t keep_triangles(TriangleMesh& m, Keep keep) {
   const std::size_t gone = m.triangles.size() - kept.size();
   m.triangles = std::move(kept);
   return gone;
-}
-
-/// Finds for every vertex the first vertex within `weld`, by a sweep along x.
-std::vector<int> first_within(const TriangleMesh& m, double weld) {
-  std::vector<int> order(m.positions.size()), first(m.positions.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::iota(first.begin(), first.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return std::pair(position(m, a).x(), a) < std::pair(position(m, b).x(), b);
-  });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (first[at(order[i])] != order[i]) continue;
-    for (std::size_t j = i + 1;
-         j < order.size() && position(m, order[j]).x() - position(m, order[i]).x() <= weld; ++j)
-      if (first[at(order[j])] == order[j] &&
-          (position(m, order[j]) - position(m, order[i])).norm() <= weld)
-        first[at(order[j])] = order[i];
-  }
-  return first;
 }
 
 /// The corner that faces the longest side.
@@ -281,27 +262,6 @@ Orientation make_orientation(const TriangleMesh& m) {
   return t;
 }
 
-/// Boundary loops in the direction of the facets that will fill them, which is opposite to the open
-/// edges.
-std::vector<std::vector<int>> loops_of(const TriangleMesh& m) {
-  std::map<int, int> next;
-  for_each_edge(sorted_sides(m), [&](const Side* first, const Side* last) {
-    if (last - first == 1)
-      next[first->forward ? first->hi : first->lo] = first->forward ? first->lo : first->hi;
-  });
-  std::vector<std::vector<int>> loops;
-  while (!next.empty()) {
-    std::vector<int>& loop = loops.emplace_back();
-    int v = next.begin()->first;
-    for (auto to = next.find(v); to != next.end(); to = next.find(v)) {
-      loop.push_back(v);
-      v = to->second;
-      next.erase(to);
-    }
-  }
-  return loops;
-}
-
 }  // namespace
 
 std::size_t split_non_manifold(TriangleMesh& m, std::string& refusal) {
@@ -367,8 +327,27 @@ std::size_t orient_pieces(TriangleMesh& m) {
   return turned;
 }
 
-std::size_t fill_holes(TriangleMesh& m, std::string& refusal) {
-  const std::vector<std::vector<int>> loops = loops_of(m);
+std::vector<std::vector<int>> boundary_loops(const TriangleMesh& m) {
+  std::map<int, int> next;
+  for_each_edge(sorted_sides(m), [&](const Side* first, const Side* last) {
+    if (last - first == 1)
+      next[first->forward ? first->hi : first->lo] = first->forward ? first->lo : first->hi;
+  });
+  std::vector<std::vector<int>> loops;
+  while (!next.empty()) {
+    std::vector<int>& loop = loops.emplace_back();
+    int v = next.begin()->first;
+    for (auto to = next.find(v); to != next.end(); to = next.find(v)) {
+      loop.push_back(v);
+      v = to->second;
+      next.erase(to);
+    }
+  }
+  return loops;
+}
+
+std::size_t fill_loops(TriangleMesh& m, const std::vector<std::vector<int>>& loops,
+                       std::string& refusal) {
   for (const std::vector<int>& loop : loops) {
     std::vector<Vec3> points;
     points.reserve(loop.size());
@@ -383,6 +362,10 @@ std::size_t fill_holes(TriangleMesh& m, std::string& refusal) {
       m.triangles.push_back({loop[at(t[0])], loop[at(t[1])], loop[at(t[2])]});
   }
   return loops.size();
+}
+
+std::size_t fill_holes(TriangleMesh& m, std::string& refusal) {
+  return fill_loops(m, boundary_loops(m), refusal);
 }
 
 }  // namespace tdbd::mesh

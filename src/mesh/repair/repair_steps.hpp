@@ -40,6 +40,15 @@ std::size_t orient_facets(TriangleMesh& m, std::string& refusal);
 /// Orients pieces outwards, or inwards if an odd number of other pieces surrounds them.
 std::size_t orient_pieces(TriangleMesh& m);
 
+/// The boundary loops as lists of vertices, in the direction of the facets that would fill them,
+/// which is opposite to that of the open edges. Vertices must be manifold.
+std::vector<std::vector<int>> boundary_loops(const TriangleMesh& m);
+
+/// Fills these boundary loops. Returns their number; `refusal` names a loop that has no
+/// triangulation.
+std::size_t fill_loops(TriangleMesh& m, const std::vector<std::vector<int>>& loops,
+                       std::string& refusal);
+
 /// Fills every boundary loop. Returns the number of loops; `refusal` names a loop that has no
 /// triangulation.
 std::size_t fill_holes(TriangleMesh& m, std::string& refusal);

@@ -6,6 +6,7 @@
 
 #include "bit/areas/area_rules.hpp"
 #include "bit/cutter/cutter.hpp"
+#include "bit/files/file_checks.hpp"
 #include "core/types.hpp"
 #include "simulation/case/rock_settings.hpp"
 #include "simulation/case/run_settings.hpp"
@@ -65,6 +66,7 @@ RockStart read_rock(Config& whole) {
   Config c = whole.table(RockStart::table);
   if (r.shape == RockShape::rough) check_roughness(c, r);
   if (r.shape == RockShape::profile) check_profile(c, r.profile);
+  if (r.shape == RockShape::file) bit::contradicts_unit(c, r.file, r.unit);
   return r;
 }
 

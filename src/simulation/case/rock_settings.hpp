@@ -9,6 +9,7 @@
 
 #include "core/config/config.hpp"
 #include "forces/rock/rock_material.hpp"
+#include "mesh/files/length_unit.hpp"
 #include "rock/section/breakout.hpp"
 #include "rock/start/borehole.hpp"
 #include "simulation/case/force_settings.hpp"
@@ -99,12 +100,16 @@ struct RockStart {
       for (const auto& [r, z] : points) profile.push_back({r, z});
     }
     if (v.when(shape == RockShape::file)) {
-      v.path(file, {.name = "file",
-                    .need = Need::required,
-                    .computed_default = "required with shape file",
-                    .meaning = "the mesh"});
+      v.path(file,
+             {.name = "file",
+              .need = Need::required,
+              .computed_default = "required with shape file",
+              .meaning = "the mesh, an open sheet: z points down, into the rock, and facets face "
+                         "up, out of the rock (tdbd mesh --sheet)"});
+      unit = mesh::unit_or(file, unit);
       v(unit, {.name = "unit",
                .unit = "m",
+               .computed_default = "the unit that the file states, otherwise 1 mm",
                .range = Range::positive(),
                .meaning = "shape file: length of the mesh file's unit"});
     }

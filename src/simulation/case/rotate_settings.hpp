@@ -7,6 +7,7 @@
 #include "dynamics/gyrostat.hpp"
 #include "dynamics/integrator.hpp"
 #include "dynamics/loads.hpp"
+#include "mesh/files/length_unit.hpp"
 
 /// The settings of a case of rotation without rock, which has a table [body] (thesis: 5.1 to 5.5).
 namespace tdbd::simulation {
@@ -43,8 +44,10 @@ struct BodySettings {
                   .computed_default = "required with mesh",
                   .range = Range::positive(),
                   .meaning = "of the body"});
+      unit = tdbd::mesh::unit_or(mesh, unit);
       v(unit, {.name = "unit",
                .unit = "m",
+               .computed_default = "the unit that the file states, otherwise 1 mm",
                .range = Range::positive(),
                .meaning = "with mesh: length of its file's unit"});
       v(unit_check,

@@ -89,7 +89,7 @@ constexpr double most_turned = 1e13;
 /// Computes the inertia of a solid of uniform density about its centre of mass, along the axes of
 /// its file.
 Mat3 mesh_inertia(Config& c, const BodySettings& s) {
-  if (s.mesh.empty()) return Mat3::Identity();
+  if (s.mesh.empty() || bit::contradicts_unit(c, s.mesh, s.unit)) return Mat3::Identity();
   try {
     const mesh::TriangleMesh m = mesh::read_mesh(s.mesh, s.unit);
     const std::size_t mistakes = c.problem_count();

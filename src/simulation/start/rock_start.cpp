@@ -19,6 +19,7 @@
 #include "mesh/check/check.hpp"
 #include "mesh/check/self_intersections.hpp"
 #include "mesh/files/files.hpp"
+#include "mesh/repair/sheet.hpp"
 #include "rock/start/borehole.hpp"
 #include "rock/start/space_order.hpp"
 
@@ -52,7 +53,8 @@ std::optional<std::string> value_of(const std::vector<std::string>& comments,
 }  // namespace
 
 std::vector<std::string> comments_of(const RockStamp& stamp) {
-  return {fmt::format("{}{}", step_key, stamp.step), fmt::format("{}{}", time_key, stamp.time),
+  return {mesh::unit_comment(mesh::LengthUnit{}), fmt::format("{}{}", step_key, stamp.step),
+          fmt::format("{}{}", time_key, stamp.time),
           fmt::format("{}{}", hash_key, stamp.case_hash)};
 }
 
@@ -183,10 +185,21 @@ double gap_along_path(const Case& c, const mesh::Surface& rock) {
 }
 
 std::vector<CaseWarning> reach_warnings(const Case& c, const mesh::Surface& rock) {
-  const double gap = gap_along_path(c, rock);
-  if (gap == 0.0) return {};
-  return {{c.places.motion, std::string(Motion::table.name),
-           fmt::format("the bit stays {:.3g} m or more from the rock and cuts nothing", gap)}};
+  std::vector<CaseWarning> warnings;
+  if (const double gap = gap_along_path(c, rock); gap > 0.0)
+    warnings.push_back(
+        {c.places.motion, std::string(Motion::table.name),
+         fmt::format("the bit stays {:.3g} m or more from the rock and cuts nothing", gap)});
+  constexpr double narrowest = 0.5, widest = 50.0;  // of the bit's diameter
+  const mesh::Box box = box_of(rock);
+  const double width = std::max(box.size().x(), box.size().y()), bit = 2.0 * c.bit.gage_radius;
+  if (c.rock.shape == RockShape::file && (width < narrowest * bit || width > widest * bit))
+    warnings.push_back(
+        {c.rock.file, "rock.unit",
+         fmt::format("the rock is {:.4g} mm wide with rock.unit = {} m, and the bit {:.4g} mm: is "
+                     "the unit right?",
+                     1e3 * width, c.rock.unit, 1e3 * bit)});
+  return warnings;
 }
 
 namespace {
@@ -208,25 +221,44 @@ void require_no_intersections(const Case& c, const std::string& place,
       place, pairs.size(), mesh::place_of_triangle(m, pairs.front().first), pairs.front().second));
 }
 
+/// The larger side of a box as seen along z, m.
+double width_of(const mesh::Box& box) { return std::max(box.size().x(), box.size().y()); }
+
+/// Units in which the edges of a mesh would be near edge_length: ": is it in m (rock.unit = \"1
+/// m\": edges of 2 mm, 250 mm wide)?".
+std::string unit_question(const Case& c, double edge, double width) {
+  constexpr double factor = 5.0;
+  std::string guesses;
+  for (const char* name : {"mm", "cm", "in", "m"}) {
+    const double scale = mesh::length_unit(name).metres / c.rock.unit;
+    if (scale * edge * factor < c.rock.edge_length || scale * edge > factor * c.rock.edge_length)
+      continue;
+    guesses += fmt::format("{}in {} (rock.unit = \"1 {}\": edges of {:.3g} mm, {:.3g} mm wide)",
+                           guesses.empty() ? "" : ", or ", name, name, 1e3 * scale * edge,
+                           1e3 * scale * width);
+  }
+  return guesses.empty() ? "" : ": is it " + guesses + "?";
+}
+
 /// Checks that the edges are not far from edge_length, which would suggest a wrong unit.
 void require_plausible_edges(const Case& c, const mesh::TriangleMesh& m) {
   constexpr double factor = 20.0;
   const double triangles = static_cast<double>(m.triangles.size());
   const double edge = std::sqrt(mesh::area(m) / triangles * 4.0 / std::numbers::sqrt3);
+  const double width = width_of(mesh::bounding_box(m));
   if (edge * factor < c.rock.edge_length || edge > factor * c.rock.edge_length)
     refuse(c,
-           fmt::format("edges of about {:.3g} mm with rock.unit = {} m", 1e3 * edge, c.rock.unit),
-           fmt::format("edges near rock.edge_length, {:.3g} mm", 1e3 * c.rock.edge_length));
+           fmt::format("edges of about {:.3g} mm with rock.unit = {} m, in a mesh {:.4g} mm wide",
+                       1e3 * edge, c.rock.unit, 1e3 * width),
+           fmt::format("edges near rock.edge_length, {:.3g} mm{}", 1e3 * c.rock.edge_length,
+                       unit_question(c, edge, width)));
 }
 
 /// Checks that the normals point out of the rock, which is upwards on average.
 void require_facing_up(const Case& c, const mesh::TriangleMesh& m) {
-  double down = 0.0;
-  for (const mesh::Triangle& t : m.triangles)
-    down +=
-        mesh::area_vector(m.positions[at(t[0])], m.positions[at(t[1])], m.positions[at(t[2])]).z();
-  if (down >= 0.0)
-    refuse(c, "all facets flipped (they face down, into the rock)", "facets that face up (z down)");
+  if (mesh::faces_down(m))
+    refuse(c, "all facets flipped (they face down, into the rock)",
+           fmt::format("facets that face up (z down): {}", mesh::upside_down_question));
 }
 
 /// "a; b" from "a\nb\n".
@@ -306,7 +338,8 @@ StartSurface from_file(const Case& c) {
   const mesh::TriangleMesh m = mesh::read_mesh(c.rock.file, c.rock.unit);
   const auto defects = mesh::check_surface(m);
   if (!defects.empty())
-    refuse(c, in_one_line(mesh::describe(defects, 8)), "one open, consistently oriented surface");
+    refuse(c, in_one_line(mesh::describe(defects, 8)),
+           "one open, consistently oriented surface (tdbd mesh --sheet lists its holes)");
   require_facing_up(c, m);
   require_plausible_edges(c, m);
   StartSurface start{{}, mesh::area(m), mesh::bounding_box(m)};

@@ -20,8 +20,8 @@ struct RockStamp {
   std::string case_hash;  ///< hash of the case of the run
 };
 
-/// The comment lines without the word `comment`: "tdbd step 60", "tdbd time_s 0.06", "tdbd
-/// case_hash 0123".
+/// The comment lines without the word `comment`: "tdbd unit m", "tdbd step 60", "tdbd time_s 0.06",
+/// "tdbd case_hash 0123".
 std::vector<std::string> comments_of(const RockStamp& stamp);
 
 /// The stamp of a file. Nothing if it is no PLY file or lacks one of the comments.
@@ -63,7 +63,8 @@ void require_memory(const Case& c, double area, mesh::Box box_W);
 /// that follows its top.
 double gap_along_path(const Case& c, const mesh::Surface& rock);
 
-/// A warning at `motion` when there is such a gap.
+/// A warning at `motion` when there is such a gap. A warning at `rock.unit` for a rock from a file
+/// that is narrower than half the bit or wider than fifty bits.
 std::vector<CaseWarning> reach_warnings(const Case& c, const mesh::Surface& rock);
 
 /// Creates the rock of a case at t = 0 with its index. The surface conforms to the exposure profile

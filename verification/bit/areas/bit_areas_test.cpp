@@ -151,7 +151,7 @@ TEST(BitAreas, are_in_the_exported_bit) {
   for (const auto& [file, settings] : {std::pair(bit_b, of_b), std::pair(bit_r, of_r)}) {
     const std::filesystem::path folder = test_folder();
     const Bit bit = with_areas(file, settings);
-    export_bit(folder, bit, "ply");
+    export_bit(folder, bit, {.parts = "ply"});
     const Bit again = read((folder / "bit.toml").string());
     ASSERT_EQ(bit.parts.size(), again.parts.size());
     int waits = 0, shares = 0;

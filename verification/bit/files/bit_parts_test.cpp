@@ -180,7 +180,7 @@ const std::string bit_r = TDBD_SOURCE_DIR "/cases/bits/bit-r.toml";
 /// A bit, written to a folder in a format and read back.
 std::string exported(const fs::path& folder, const std::string& format,
                      const std::string& bit_file = bit_b) {
-  export_bit(folder, read(bit_file), format);
+  export_bit(folder, read(bit_file), {.parts = format});
   return (folder / "bit.toml").string();
 }
 

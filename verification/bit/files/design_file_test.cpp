@@ -213,7 +213,7 @@ TEST(BladeFile, two_sources_give_one_message) {
 /// A file that weighs one part weighs them all.
 TEST(BladeFile, a_forgotten_density_is_named) {
   const auto folder = test_folder();
-  export_bit(folder, read(TDBD_SOURCE_DIR "/cases/bits/bit-b.toml"), "ply");
+  export_bit(folder, read(TDBD_SOURCE_DIR "/cases/bits/bit-b.toml"), {.parts = "ply"});
   std::ifstream in(folder / "bit.toml");
   std::string text((std::istreambuf_iterator<char>(in)), {});
   const auto at = text.find("density");
@@ -231,7 +231,7 @@ TEST(BladeFile, a_forgotten_density_is_named) {
 TEST(BladeFile, written_out_still_rubs) {
   const auto folder = test_folder() / "out";
   const Bit b = read(write_bit(plain));
-  export_bit(folder, b, "ply");
+  export_bit(folder, b, {.parts = "ply"});
   EXPECT_EQ(read(folder / "bit.toml").parts.back().cutting, Cutting::rubs);
 }
 

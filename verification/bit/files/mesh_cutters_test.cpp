@@ -79,8 +79,8 @@ TEST(MeshCutters, of_an_exported_bit_are_those_of_the_bit) {
   const Bit original = read(TDBD_SOURCE_DIR "/cases/bits/bit-b.toml");
   for (const std::string format : {"stl", "ply"}) {
     std::filesystem::create_directories(folder / format);
-    export_solids(folder / format, original, format);
-    export_bit(folder / format, original, format);
+    export_solids(folder / format, original, {.solids = format});
+    export_bit(folder / format, original, {.parts = format});
     for (const std::string file : {"solids.toml", "bit.toml"}) {
       const Bit again = read((folder / format / file).string());
       ASSERT_EQ(again.cutters.size(), original.cutters.size()) << format << file;
@@ -98,9 +98,9 @@ TEST(MeshCutters, of_an_exported_bit_are_those_of_the_bit) {
 /// Solids lie in the bit's frame, and are written as parts in their cutters' frames.
 TEST(MeshCutters, keep_their_frames_when_solids_are_written_as_parts) {
   const auto folder = test_folder();
-  export_solids(folder, read(TDBD_SOURCE_DIR "/cases/bits/bit-b.toml"), "ply");
+  export_solids(folder, read(TDBD_SOURCE_DIR "/cases/bits/bit-b.toml"), {.solids = "ply"});
   const Bit solids = read((folder / "solids.toml").string());
-  export_bit(folder, solids, "ply");
+  export_bit(folder, solids, {.parts = "ply"});
   write_cutter_table(folder, solids);
   const Bit again = read((folder / "bit.toml").string());
   EXPECT_EQ(again.cutters.size(), 28U);
@@ -118,7 +118,7 @@ TEST(MeshCutters, need_one_face_and_a_frame_of_their_own) {
   one.parts = cutter_parts(c, {});
   one.cutters = {c};
   for (Part& part : one.parts) part.cutter = 0;
-  export_bit(folder, one, "ply");
+  export_bit(folder, one, {.parts = "ply"});
   std::ifstream in(folder / "bit.toml");
   std::string text((std::istreambuf_iterator<char>(in)), {});
   for (std::size_t at = 0; (at = text.find("group = -1", at)) != std::string::npos; ++at)

@@ -42,7 +42,7 @@ TEST_P(WholeBit, is_bitwise_unchanged_by_writing_and_reading) {
   const fs::path folder = fs::path(tdbd::temporary_folder()) / (std::string("whole_") + GetParam());
   fs::create_directories(folder);
   const Bit original = read(bit_b);
-  export_solids(folder, original, GetParam());
+  export_solids(folder, original, {.solids = GetParam()});
   const Bit again = read((folder / "solids.toml").string());
   EXPECT_EQ(again.name, original.name);
   EXPECT_EQ(again.gage_radius, original.gage_radius);
@@ -56,7 +56,7 @@ TEST_P(WholeBit, keeps_its_cones) {
   const fs::path folder = fs::path(tdbd::temporary_folder()) / (std::string("cones_") + GetParam());
   fs::create_directories(folder);
   const Bit original = read(TDBD_SOURCE_DIR "/cases/bits/bit-r.toml");
-  export_solids(folder, original, GetParam());
+  export_solids(folder, original, {.solids = GetParam()});
   const Bit again = read((folder / "solids.toml").string());
   ASSERT_EQ(again.parts.size(), original.parts.size());
   ASSERT_EQ(again.cones.size(), 3u);
@@ -132,7 +132,7 @@ TEST(SolidsFile, keeps_what_rubs) {
   export_solids(folder,
                 read(write_drawn("[[solids.rules]]\nmatch = \"gage-pad-1\"\ncutting = false\n"
                                  "rubs = true\n")),
-                "stl");
+                {.solids = "stl"});
   EXPECT_EQ(read((folder / "solids.toml").string()).parts[2].cutting, Cutting::rubs);
 }
 

@@ -118,7 +118,7 @@ TEST(PartBearing, is_zero_of_all_other_parts) {
 TEST(PartBearing, of_teeth_counts_one_of_a_row) {
   const auto folder = test_folder();
   const bit::Bit designed = bit::read(TDBD_SOURCE_DIR "/cases/bits/bit-r.toml");
-  bit::export_solids(folder, designed, "stl");
+  bit::export_solids(folder, designed, {.solids = "stl"});
   const bit::Bit solids = bit::read((folder / "solids.toml").string());
   const ForcePlan plan = plan_of(PartKind::tooth, forces::Indentation{});
   const double by_rows = contact_slopes(designed, plan).axial_stiffness;

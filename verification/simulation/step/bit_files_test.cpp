@@ -21,7 +21,7 @@ const std::string bit_r = TDBD_SOURCE_DIR "/cases/bits/bit-r.toml";
 /// A bit, written to a folder in a format and read back.
 std::string exported(const fs::path& folder, const std::string& format,
                      const std::string& bit_file = bit_b) {
-  bit::export_bit(folder, bit::read(bit_file), format);
+  bit::export_bit(folder, bit::read(bit_file), {.parts = format});
   return (folder / "bit.toml").string();
 }
 
@@ -85,7 +85,7 @@ TEST(ExportedBit, drills_the_same_hole_from_one_file) {
   const Drilled original = drill(folder, bit_b);
   for (const char* format : {"stl", "obj", "ply", "off"}) {
     fs::create_directories(folder / format);
-    bit::export_solids(folder / format, bit::read(bit_b), format);
+    bit::export_solids(folder / format, bit::read(bit_b), {.solids = format});
     const Drilled again = drill(folder, (folder / format / "solids.toml").string());
     EXPECT_NEAR(again.all / original.all, 1.0, 1e-12) << format;
     EXPECT_LE(worst_part(original, again), 1e-12) << format;
@@ -116,7 +116,7 @@ TEST(ExportedBit, carries_the_same_forces) {
   const fs::path folder = test_folder();
   const std::array<double, 2> original = mean_loads(folder, bit_b);
   EXPECT_GT(original[0], 1e3);
-  bit::export_solids(folder, bit::read(bit_b), "stl");
+  bit::export_solids(folder, bit::read(bit_b), {.solids = "stl"});
   for (const std::string& file :
        {(folder / "solids.toml").string(), exported(folder / "parts", "ply")}) {
     const std::array<double, 2> again = mean_loads(folder, file);
@@ -128,7 +128,7 @@ TEST(ExportedBit, carries_the_same_forces) {
 /// A rock that conforms to a bit with cones is the same whether its teeth are designed or meshes.
 TEST(ExportedBit, starts_in_the_same_hole_with_cones) {
   const fs::path folder = test_folder();
-  bit::export_solids(folder, bit::read(bit_r), "ply");
+  bit::export_solids(folder, bit::read(bit_r), {.solids = "ply"});
   const auto hole_of = [&](const std::string& file) {
     return start(read_case(write_case(folder, file,
                                       "shape = \"conforming\"\nedge_length = \"4 mm\"\n"
