@@ -11,6 +11,7 @@
 #include "bit/report/bit_output.hpp"
 #include "bit/report/bit_report.hpp"
 #include "bit/report/cone_report.hpp"
+#include "core/units.hpp"
 #include "mesh/measures.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/options.hpp"
@@ -112,17 +113,23 @@ py::tuple profile_of(const BitFile& read) {
       array_of(values_of(points, [](const bit::ProfilePoint& p) { return p.z; })));
 }
 
-/// Writes the files of `tdbd bit -o FOLDER`.
+/// Writes the files of `tdbd bit -o FOLDER`. `unit`: of STL, OBJ and OFF files.
 void export_bit(const BitFile& read, const std::string& folder, const std::string& format,
                 const std::string& solids, const std::string& unit, bool force) {
-  if (unit != "m") throw py::value_error("unit: found " + unit + ", expected m");
+  bit::ExportOptions formats{.parts = format, .solids = solids};
+  try {
+    formats.unit = mesh::length_unit(unit);
+  } catch (const UnitError&) {
+    throw py::value_error("unit: found '" + unit +
+                          "', expected a length unit such as 'mm' or 'in'");
+  }
   const py::gil_scoped_release released;
   const OutputFolder out = prepare(folder, overwrite_of(force), read.files, ResultKind::bit);
-  bit::export_bit(out.path, read.bit, format);
+  bit::export_bit(out.path, read.bit, formats);
   bit::write_bit_files(out.path, read.bit);
   bit::write_profile(out.path, read.bit);
   bit::write_cutter_table(out.path, read.bit);
-  bit::export_solids(out.path, read.bit, solids);
+  bit::export_solids(out.path, read.bit, formats);
   bit::write_bit_vtp(out.path / "bit.vtp", read.bit, Pose{});
 }
 

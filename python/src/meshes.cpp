@@ -52,12 +52,15 @@ py::tuple arrays_of(const mesh::TriangleMesh& m) {
   return py::make_tuple(array_of(m.positions), array_of(m.triangles));
 }
 
-/// Each body of a file: name, vertices, faces.
-py::list read_solids(const std::string& path, double unit) {
+/// Each body of a file: name, vertices, faces. `unit`: metres per unit of the file; without it, the
+/// unit that the file states, otherwise `otherwise`.
+py::list read_solids(const std::string& path, std::optional<double> unit, double otherwise) {
   std::vector<mesh::Solid> solids;
   {
     const py::gil_scoped_release released;
-    solids = mesh::read_solids(path, unit);
+    if (const std::string found = unit ? mesh::unit_contradiction(path, *unit) : ""; !found.empty())
+      throw InputError("unit: found " + found + ", expected the unit that the file states");
+    solids = mesh::read_solids(path, unit ? *unit : mesh::unit_or(path, otherwise));
   }
   py::list all;
   for (const mesh::Solid& s : solids)
@@ -70,12 +73,10 @@ void write_solids(const std::string& path,
                   const std::vector<std::tuple<std::string, Positions, Faces>>& solids,
                   double unit) {
   std::vector<mesh::Solid> all;
-  for (const auto& [name, vertices, faces] : solids) {
+  for (const auto& [name, vertices, faces] : solids)
     all.push_back({name, mesh_of(vertices, faces)});
-    for (Vec3& x : all.back().mesh.positions) x /= unit;
-  }
   const py::gil_scoped_release released;
-  mesh::write_solids(path, all);
+  mesh::write_solids(path, all, {.unit = mesh::length_unit_of(unit)});
 }
 
 /// Statistics of a mesh, and its defects as (kind, place).
@@ -122,7 +123,7 @@ py::tuple repair(const Positions& vertices, const Faces& faces, double weld) {
 void add_meshes(py::module_& m) {
   using py::arg;
   m.def("to_si", &to_si, arg("text"), arg("unit"));
-  m.def("read_solids", &read_solids, arg("path"), arg("unit"));
+  m.def("read_solids", &read_solids, arg("path"), arg("unit"), arg("otherwise"));
   m.def("write_solids", &write_solids, arg("path"), arg("solids"), arg("unit"));
   m.def("inspect_mesh", &inspect, arg("vertices"), arg("faces"));
   m.def("repair_mesh", &repair, arg("vertices"), arg("faces"), arg("weld"));

@@ -144,14 +144,14 @@ class Bit:
         """Returns the same file with further overrides, which take precedence over earlier ones."""
         return Bit(self.path, [*self.overrides, *assignments(set, keys)])
 
-    def export(self, folder: str | os.PathLike[str], *, format: str = "ply", solids: str = "stl", unit: str = "m",
+    def export(self, folder: str | os.PathLike[str], *, format: str = "ply", solids: str = "stl", unit: str = "mm",
                force: bool = False) -> None:
         """Writes the files of `tdbd bit -o FOLDER`.
 
         These are bit.toml with parts/, solids.toml with the whole bit, cutters.csv, profile.csv and bit.vtp.
 
-        `format` of the parts and `solids` of the whole bit: "ply", "off", "obj" or "stl". `unit` of the
-        meshes: "m". `force` replaces an older export.
+        `format` of the parts and `solids` of the whole bit: "ply", "off", "obj" or "stl". `unit` of STL, OBJ
+        and OFF files, which their headers state; PLY is in metres. `force` replaces an older export.
         """
         for name, given in (("format", format), ("solids", solids)):
             if given not in ("ply", "off", "obj", "stl"):

@@ -105,14 +105,14 @@ class Repaired(NamedTuple):
 def read(path: str | os.PathLike[str], unit: Length | None = None) -> list[Solid]:
     """Reads the bodies of a mesh file.
 
-    `unit` is the length of one unit of the file; the default is "1 mm", and "1 m" for the rock of a run.
+    `unit` is the length of one unit of the file. The default is the unit that the header states, otherwise "1 mm", and "1 m"
+    for the rock of a run.
     Named solids of an STL or OBJ file keep their names; other files are divided into closed pieces.
-    Raises CaseError with file and line.
+    Raises CaseError with file and line, also for a `unit` that contradicts the header.
     """
     name = os.fspath(path)
-    if unit is None:
-        unit = 1.0 if _core.is_rock_of_a_run(name) else 1e-3
-    return [Solid(*solid) for solid in _core.read_solids(name, _metres("unit", unit, least=np.finfo(float).tiny))]
+    given = None if unit is None else _metres("unit", unit, least=np.finfo(float).tiny)
+    return [Solid(*solid) for solid in _core.read_solids(name, given, 1.0 if _core.is_rock_of_a_run(name) else 1e-3)]
 
 
 def check(solid: Solid | Surface) -> Check:
@@ -135,7 +135,7 @@ def repair(solid: Solid | Surface, weld: Length = 0.0) -> Repaired:
 
 def write(path: str | os.PathLike[str], solids: Solid | Surface | Iterable[Solid], unit: Length = "1 mm", *,
           force: bool = False) -> None:
-    """Writes bodies in the format of the extension (.stl as text, .obj, .ply, .off), in `unit`.
+    """Writes bodies in the format of the extension (.stl as text, .obj, .ply, .off), in `unit`, which the header states.
 
     Raises FileExistsError if the file exists, unless `force` is True.
     """

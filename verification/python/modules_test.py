@@ -94,8 +94,8 @@ class Bits(FolderTest):
             again.export(self.folder / "b")
         with self.assertRaisesRegex(ValueError, "format: found 'step', expected 'ply', 'off', 'obj' or 'stl'"):
             again.export(self.folder / "c", format="step")
-        with self.assertRaisesRegex(ValueError, "unit: found furlong"):
-            again.export(self.folder / "c", unit="furlong")
+        with self.assertRaisesRegex(ValueError, "unit: found 'kg', expected a length unit such as 'mm' or 'in'"):
+            again.export(self.folder / "c", unit="kg")
         self.assertFalse((self.folder / "c").exists())
 
     def test_cones(self):
@@ -152,7 +152,9 @@ class Meshes(FolderTest):
             np.testing.assert_allclose(np.sort(again.vertices, axis=0), np.sort(CUBE_VERTICES, axis=0), atol=1e-15)
         self.assertIn("vertex 10 10 10", (self.folder / "a.stl").read_text())  # millimetres
         tdbd.mesh.write(self.folder / "inch.obj", CUBE, unit="1 in")
-        (again,) = tdbd.mesh.read(self.folder / "inch.obj", unit="in")
+        (again,) = tdbd.mesh.read(self.folder / "inch.obj")  # the header states the unit
+        with self.assertRaisesRegex(tdbd.CaseError, "unit: found 1 mm, but the header of .*inch.obj states the unit in, expected"):
+            tdbd.mesh.read(self.folder / "inch.obj", unit="mm")
         self.assertAlmostEqual(tdbd.mesh.check(again).volume, 1e-6, 15)
         with self.assertRaisesRegex(FileExistsError, "a.stl: exists; force=True replaces it"):
             tdbd.mesh.write(self.folder / "a.stl", CUBE)
