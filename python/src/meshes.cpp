@@ -1,10 +1,13 @@
 #include <pybind11/stl.h>
 
+#include <optional>
 #include <tuple>
 #include <utility>
 
+#include "core/error.hpp"
 #include "core/units.hpp"
 #include "mesh/check/self_intersections.hpp"
+#include "mesh/files/length_unit.hpp"
 #include "mesh/files/solids.hpp"
 #include "mesh/repair/repair.hpp"
 #include "python/src/arrays.hpp"
