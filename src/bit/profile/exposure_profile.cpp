@@ -43,8 +43,10 @@ struct Fan {
   }
   /// Adds the crossings of the chord ab, whose ends are at the ray indices at_a and at_b.
   void add(const ProfilePoint& a, double at_a, const ProfilePoint& b, double at_b) {
-    const double last = std::min(std::max(at_a, at_b), ray_count - 1.0);
-    for (int k = static_cast<int>(std::ceil(std::min(at_a, at_b))); k <= last; ++k) {
+    const double first = std::ceil(std::min(at_a, at_b)),
+                 last = std::min(std::max(at_a, at_b), ray_count - 1.0);
+    if (first > last) return;  // points just above the horizontal have indices beyond any int
+    for (int k = static_cast<int>(first); k <= last; ++k) {
       const double w = at_a == at_b ? 0.0 : (k - at_a) / (at_b - at_a);
       add({a.r + w * (b.r - a.r), a.z + w * (b.z - a.z)}, rays[k]);
     }

@@ -130,6 +130,19 @@ TEST(ExposureProfile, ends_where_the_last_ray_leaves_the_part) {
               6.8e-7);  // the edge's points are 0.19 mm apart; rays are not quite even along them
 }
 
+/// Points of a cube for which r is about as large as their height above its middle lie on no ray. Their
+/// index is beyond any int.
+TEST(ExposureProfile, of_a_cube_with_points_just_above_the_last_ray_ends_at_its_corner) {
+  for (const double excess : {0.0, 1e-17, 1e-12, 1e-9, 1e-6}) {
+    Part cube;
+    cube.cutting = Cutting::cuts;
+    const double half = 0.02 * (1.0 + excess);
+    cube.mesh_P = battery::box({-half, -half, -0.02}, {half, half, 0.02});
+    const ProfilePoint end = exposure_profile({cube}, 1e-3).back();
+    EXPECT_NEAR(end.r, std::hypot(half, half), 1e-12) << excess;
+  }
+}
+
 TEST(ExposureProfile, passes_over_parts_that_do_not_cut) {
   const Part idle = box_at(-0.05, Cutting::never), low = box_at(0.0, Cutting::cuts),
              high = box_at(-0.02, Cutting::cuts);
