@@ -1,6 +1,7 @@
 #include "verification/sweep/small_design.hpp"
 
 #include "core/error.hpp"
+#include "core/read_file.hpp"
 #include "io/whole_file.hpp"
 #include "verification/core/temporary_folder.hpp"
 
@@ -37,5 +38,20 @@ std::string mistake_in(const std::string& text) {
   }
   return "";
 }
+
+std::string small_hole(const std::string& factors) {
+  return "[sweep]\ncase = \"" TDBD_SOURCE_DIR
+         "/cases/bit-b-6000psi.toml\"\nfigures = [\"wob_mean_n\", \"removed_volume_m3\", "
+         "\"aggressiveness\"]\n"
+         "[set]\nrock.edge_length = \"6 mm\"\ntime.revolutions = 0.1\noutput.means_from = \"0.01 "
+         "s\"\n" +
+         factors;
+}
+
+SweepResult swept(const Design& d, const std::filesystem::path& table, int threads, Shard shard) {
+  return run_sweep(d, {table, shard, threads});
+}
+
+std::string text_of(const std::filesystem::path& file) { return read_file(file, "a file"); }
 
 }  // namespace tdbd::sweep
