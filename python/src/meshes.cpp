@@ -56,14 +56,16 @@ py::tuple arrays_of(const mesh::TriangleMesh& m) {
 }
 
 /// Each body of a file: name, vertices, faces. `unit`: metres per unit of the file; without it, the
-/// unit that the file states, otherwise `otherwise`.
-py::list read_solids(const std::string& path, std::optional<double> unit, double otherwise) {
+/// unit that the file states, otherwise `otherwise`. Points up to `weld` apart are merged before the
+/// file is divided.
+py::list read_solids(const std::string& path, std::optional<double> unit, double otherwise,
+                     double weld) {
   std::vector<mesh::Solid> solids;
   {
     const py::gil_scoped_release released;
     if (const std::string found = unit ? mesh::unit_contradiction(path, *unit) : ""; !found.empty())
       throw InputError("unit: found " + found + ", expected the unit that the file states");
-    solids = mesh::read_solids(path, unit ? *unit : mesh::unit_or(path, otherwise));
+    solids = mesh::read_solids(path, unit ? *unit : mesh::unit_or(path, otherwise), weld);
   }
   py::list all;
   for (const mesh::Solid& s : solids)
@@ -126,7 +128,7 @@ py::tuple repair(const Positions& vertices, const Faces& faces, double weld) {
 void add_meshes(py::module_& m) {
   using py::arg;
   m.def("to_si", &to_si, arg("text"), arg("unit"));
-  m.def("read_solids", &read_solids, arg("path"), arg("unit"), arg("otherwise"));
+  m.def("read_solids", &read_solids, arg("path"), arg("unit"), arg("otherwise"), arg("weld"));
   m.def("write_solids", &write_solids, arg("path"), arg("solids"), arg("unit"));
   m.def("inspect_mesh", &inspect, arg("vertices"), arg("faces"));
   m.def("repair_mesh", &repair, arg("vertices"), arg("faces"), arg("weld"));

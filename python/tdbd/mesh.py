@@ -102,17 +102,19 @@ class Repaired(NamedTuple):
         return f"<tdbd.mesh.Repaired {self.solid.name!r}: {done}>"
 
 
-def read(path: str | os.PathLike[str], unit: Length | None = None) -> list[Solid]:
+def read(path: str | os.PathLike[str], unit: Length | None = None, *, weld: Length = 0.0) -> list[Solid]:
     """Reads the bodies of a mesh file.
 
-    `unit` is the length of one unit of the file. The default is the unit that the header states, otherwise "1 mm", and "1 m"
-    for the rock of a run.
-    Named solids of an STL or OBJ file keep their names; other files are divided into closed pieces.
+    `unit` is the length of one unit of the file. The default is the unit that the header states,
+    otherwise "1 mm", and "1 m" for the rock of a run. Named solids of an STL or OBJ file keep their
+    names; other files are divided into closed pieces. Points up to `weld` apart are merged before
+    that. Without it, a mesh whose triangles share no points falls into one piece per triangle.
     Raises CaseError with file and line, also for a `unit` that contradicts the header.
     """
     name = os.fspath(path)
     given = None if unit is None else _metres("unit", unit, least=np.finfo(float).tiny)
-    return [Solid(*solid) for solid in _core.read_solids(name, given, 1.0 if _core.is_rock_of_a_run(name) else 1e-3)]
+    otherwise = 1.0 if _core.is_rock_of_a_run(name) else 1e-3
+    return [Solid(*solid) for solid in _core.read_solids(name, given, otherwise, _metres("weld", weld, least=0))]
 
 
 def check(solid: Solid | Surface) -> Check:

@@ -226,14 +226,14 @@ void change_sheet(const MeshChoices& choices, mesh::TriangleMesh& m) {
   }
   if (choices.flip) {
     mesh::flip(m);
-    print_out("{} facets flipped\n", m.triangles.size());
+    print_out("facets flipped: {}\n", m.triangles.size());
   }
   if (!choices.fill_holes) return;
   std::string refusal;
   const std::size_t filled = mesh::fill_sheet_holes(m, refusal);
   if (!refusal.empty())
     throw InputError(fmt::format("{}: --fill-holes: {}", choices.file, refusal));
-  print_out("{} holes filled; the rim is unchanged\n", filled);
+  print_out("holes filled: {}; the rim is unchanged\n", filled);
 }
 
 /// Rejects a mesh that cannot be the rock of a case, with what could make it one.

@@ -189,6 +189,11 @@ void print_result(const sweep::Design& d, const sweep::SweepResult& r, const fs:
   print_out("{} points done, {} of them before{}\n", r.points, r.found,
             d.goals.empty() ? "" : fmt::format("; {} on the front", r.on_front));
   if (r.filter) print_filter(*r.filter);
+  if (r.without_values > 0)
+    print_warning(fmt::format(
+        "{} of {} points have a figure without a value (nan); a mean has none if the run ends "
+        "before output.means_from",
+        r.without_values, r.done));
   if (r.unsteady > 0)
     print_warning(
         fmt::format("the means of {} of {} points are not steady (column steady): run longer",

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <chrono>
 #include <exception>
 #include <limits>
@@ -212,7 +213,11 @@ void count(const Table& t, SweepResult& result) {
   for (const PointRecord* point : t.points) {
     if (point == nullptr) continue;
     if (point->outcome.steady == Steady::no) ++result.unsteady;
-    if (point->outcome.status == PointStatus::done) continue;
+    if (point->outcome.status == PointStatus::done) {
+      const auto is_none = [](double figure) { return std::isnan(figure); };
+      if (std::ranges::any_of(point->outcome.figures, is_none)) ++result.without_values;
+      continue;
+    }
     if (result.failed++ == 0) result.first_failure = point->outcome.message;
   }
 }

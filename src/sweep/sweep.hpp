@@ -38,7 +38,8 @@ struct SweepResult {
   bool interrupted = false;
   bool written = false;  ///< whether the table was written: all points of the design are completed
   std::string first_failure;
-  long unsteady = 0;  ///< completed points that state that their means are not steady
+  long unsteady = 0;        ///< completed points that state that their means are not steady
+  long without_values = 0;  ///< points that are done, with a figure that has no value (NaN)
   std::optional<FilterReport> filter;  ///< of a design with a filter, if the table was written
 };
 

@@ -254,7 +254,7 @@ def check_sheets(folder):
     refused(tdbd("mesh", bad, "--fill-holes"), "--output: found no file")
     filled = tdbd("mesh", bad, "--fill-holes", "-o", out)
     refused(filled, "the facets face down, into the rock (z points down): does z point down in the file?", "--flip")
-    assert "2 holes filled" in filled.stdout and not out.exists(), filled
+    assert "holes filled: 2" in filled.stdout and not out.exists(), filled
     refused(tdbd("mesh", bad, "--fill-holes", "--repair", "-o", out), "--sheet: found --repair or --grade as well")
     for how, z in (("--flip", "1"), ("--z-up", "-1")):
         done = tdbd("mesh", bad, "--fill-holes", how, "-o", out, "--force")

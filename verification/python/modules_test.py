@@ -160,6 +160,15 @@ class Meshes(FolderTest):
             tdbd.mesh.write(self.folder / "a.stl", CUBE)
         tdbd.mesh.write(self.folder / "a.stl", CUBE, force=True)
 
+    def test_welds_triangles_that_share_no_points(self):
+        corners = CUBE_VERTICES[np.asarray(CUBE_FACES)].reshape(-1, 3)
+        cracked = corners + 1e-7 * np.sin(np.arange(corners.size)).reshape(corners.shape)
+        tdbd.mesh.write(self.folder / "cracked.off", tdbd.mesh.Solid("soup", cracked, np.arange(len(corners)).reshape(-1, 3)))
+        self.assertEqual(len(tdbd.mesh.read(self.folder / "cracked.off")), 12)
+        (whole,) = tdbd.mesh.read(self.folder / "cracked.off", weld="0.001 mm")
+        self.assertTrue(tdbd.mesh.check(whole).closed)
+        self.assertAlmostEqual(tdbd.mesh.check(whole).volume, 1e-6, 9)
+
     def test_the_rock_of_a_run_is_in_metres(self):
         result = tdbd.run(tdbd.case(DRILLING, set=QUICK), self.folder / "run")
         (rock,) = tdbd.mesh.read(self.folder / "run/rock_final.ply")

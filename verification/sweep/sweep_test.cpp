@@ -151,6 +151,18 @@ TEST(Sweep, shards_that_end_together_all_write_the_table) {
   EXPECT_EQ(text_of(folder / "t.csv"), table);
 }
 
+/// Points whose runs end before output.means_from have no means. The command warns about them.
+TEST(Sweep, counts_points_without_values) {
+  std::string text = small_hole(
+      "[[factors]]\nkey = \"output.means_from\"\nvalues = [\"0.01 s\", \"1 s\", \"2 s\"]\n");
+  const std::string fixed = "output.means_from = \"0.01 s\"\n";
+  text.erase(text.find(fixed), fixed.size());
+  const fs::path folder = empty_folder("without_values");
+  const SweepResult r = swept(design_from(folder, text), folder / "t.nc");
+  EXPECT_EQ(r.done, 3);
+  EXPECT_EQ(r.without_values, 2);
+}
+
 /// What is done is done: nothing is run again, of a larger design only what is new.
 TEST(Sweep, continues_with_existing_points) {
   const fs::path folder = empty_folder("again");

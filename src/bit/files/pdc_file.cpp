@@ -217,7 +217,7 @@ std::vector<BitDoubt> check_table(Config& c, const std::string& table,
 void check_gage(Config& c, const std::string& table, const std::vector<Cutter>& cutters,
                 double gage_radius, std::vector<BitDoubt>& doubts) {
   constexpr std::size_t fewest = 8;
-  constexpr double too_small = 0.8, small = 0.97, too_large = 1.05;
+  constexpr double too_small = 0.8, small = 0.98, too_large = 1.05;
   constexpr std::ptrdiff_t several = 3;
   if (cutters.size() < fewest || !std::isfinite(gage_radius) || c.problem_count() > 0) return;
   const Cutter& widest = std::ranges::max(cutters, {}, &Cutter::tip_radius);

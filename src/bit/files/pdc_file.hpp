@@ -254,7 +254,7 @@ std::vector<BitDoubt> check_table(Config& c, const std::string& table,
 // recorded as mistakes before their own, because wrong rows are the likely cause.
 
 /// Compares gage_diameter (as a radius, m) with the outermost tip of at least eight. A mistake if
-/// the tip is within 80 % of it, or if several tips are outside; adds a doubt within 97 %. Does
+/// the tip is within 80 % of it, or if several tips are outside; adds a doubt within 98 %. Does
 /// nothing after other mistakes.
 void check_gage(Config& c, const std::string& table, const std::vector<Cutter>& cutters,
                 double gage_radius, std::vector<BitDoubt>& doubts);

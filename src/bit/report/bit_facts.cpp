@@ -87,15 +87,15 @@ std::string balance_text(const std::vector<Cutter>& cutters, const Engagement& e
   return fmt::format(
       "balance at {:.4g} mm per revolution: side force on the bit over its weight, from the layout "
       "alone\n"
-      "  {}  normal part: every cutter pushes along its profile's normal, by its cut area (the "
-      "unit "
-      "law;\n"
-      "            {:.2f} % of the sum of all pushes, which is imbalance_of_unit_law in "
-      "analysis.json)\n"
+      "  {}  normal part: every cutter pushes along its profile's normal, in proportion to its "
+      "cut area;\n"
+      "            imbalance_of_unit_law in analysis.json is the same force over the sum of all "
+      "pushes: {:.2f} %\n"
       "  {}  drag part: every cutter is pushed against its motion; normal over drag force is {:g}\n"
       "  {}  both, the planar model of Warren and Sinor (1986)\n"
-      "  Compare layouts by the planar value; the normal part alone misses the drag. Neither knows "
-      "the rock,\n"
+      "  Compare layouts by the planar value; the normal part alone misses the drag. Neither "
+      "depends "
+      "on the rock,\n"
       "  rakes or wear: trust the imbalance of a run (tdbd run) where they differ.\n",
       1e3 * advance, percent(b.normal.norm() / b.weight), 100.0 * imbalance(cutters, e.area),
       percent(b.drag.norm() / b.weight), report_normal_ratio,

@@ -46,10 +46,10 @@ std::string overlaps_text(const Bit& bit, const std::vector<CutterOverlap>& over
   if (overlaps.empty()) return "";
   const CutterOverlap& worst = std::ranges::max(overlaps, {}, &CutterOverlap::volume);
   return fmt::format(
-      "warning: {} pairs of cutters overlap by {:.1f} mm3 in all, which counts twice in the mass; "
+      "warning: {} of cutters overlap by {:.1f} mm3 in all, which counts twice in the mass; "
       "most, {:.1f} mm3, cutters {} and {}\n",
-      overlaps.size(), 1e9 * total(overlaps), 1e9 * worst.volume, id_of(bit, worst.a),
-      id_of(bit, worst.b));
+      overlaps.size() == 1 ? "one pair" : fmt::format("{} pairs", overlaps.size()),
+      1e9 * total(overlaps), 1e9 * worst.volume, id_of(bit, worst.a), id_of(bit, worst.b));
 }
 
 std::string enclosed_text(const Bit& bit) {

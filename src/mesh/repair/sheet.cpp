@@ -37,6 +37,7 @@ std::string describe(const Opening& opening, const std::string& what) {
 }
 
 std::size_t fill_sheet_holes(TriangleMesh& m, std::string& refusal) {
+  drop_unused_points(m);
   std::vector<std::vector<int>> holes;
   const std::vector<Opening> all = openings(m);
   for (std::size_t i = 1; i < all.size(); ++i) holes.push_back(all[i].loop);
@@ -70,7 +71,7 @@ std::vector<std::string> sheet_faults(const TriangleMesh& m) {
                                 upside_down_question));
   const auto pairs = self_intersections(m);
   if (!pairs.empty())
-    lines.push_back(fmt::format("{} pairs of facets intersect, the first {} and triangle {}",
+    lines.push_back(fmt::format("intersecting pairs of facets: {}, the first {} and triangle {}",
                                 pairs.size(), place_of_triangle(m, pairs.front().first),
                                 pairs.front().second));
   return lines;

@@ -25,8 +25,8 @@ std::vector<Opening> openings(const TriangleMesh& m);
 /// "hole of 4 edges, 2.83 mm across, at (1.0000, 2.0000, 3.0000) mm"; `what`: "hole" or "rim".
 std::string describe(const Opening& opening, const std::string& what);
 
-/// Fills the holes of a sheet with the triangulations of least area [CGAL]; the rim stays. Returns
-/// their number; `refusal` names a hole that has no triangulation.
+/// Drops vertices of no triangle, then fills the holes of a sheet with the triangulations of least
+/// area [CGAL]; the rim stays. Returns the number of holes; `refusal` names a hole that has no triangulation.
 std::size_t fill_sheet_holes(TriangleMesh& m, std::string& refusal);
 
 /// Reverses all facets, so that the sheet faces the other way. Positions are unchanged.

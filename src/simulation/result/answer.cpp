@@ -93,6 +93,7 @@ std::string diagnosis_text(const RunSummary& s) {
   const bool drifts = !steady.is_steady.value_or(true);
   std::string motion = s.drive ? s.diagnosis.text : "prescribed motion";
   if (s.drive && drifts && motion == "steady") motion = "no vibrations";
+  if (motion.empty()) motion = "none, the run is too short";
   const std::string means =
       "means over " + counted(fmt::format("{:.3g}", steady.revolutions), "revolution");
   if (drifts) return fmt::format("{}; {}, which still drift", motion, means);

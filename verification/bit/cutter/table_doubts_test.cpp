@@ -286,6 +286,7 @@ TEST(GageDiameter, is_compared_with_the_outermost_tip) {
   EXPECT_EQ(messages(bit_b(), "8.5 m"), "BIT:3: " + expected("8500 mm"));
   EXPECT_EQ(messages(bit_b(), "6 in"), "BIT:3: " + expected("152.4 mm"));
   EXPECT_EQ(messages(bit_b(), "8.875 in"), "warning: BIT:3: " + expected("225.425 mm"));
+  EXPECT_EQ(messages(bit_b(), "8.75 in"), "warning: BIT:3: " + expected("222.25 mm"));
   EXPECT_EQ(messages(bit_b(), "8.5 in"), "");
   EXPECT_EQ(messages(bit_b(), ""), "");
 }

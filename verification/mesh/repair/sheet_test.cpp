@@ -44,6 +44,18 @@ TEST(Sheet, keeps_its_rim_when_its_holes_are_filled) {
   EXPECT_EQ(fill_sheet_holes(m, refusal), 0u);
 }
 
+TEST(Sheet, loses_vertices_of_no_triangle_when_its_holes_are_filled) {
+  TriangleMesh m = with_hole(0.25, 0.25);
+  const std::size_t used = m.positions.size();
+  m.positions.insert(m.positions.begin(), Vec3(0.3, 0.3, 0.1));
+  for (Triangle& t : m.triangles)
+    for (int& v : t) ++v;
+  std::string refusal;
+  EXPECT_EQ(fill_sheet_holes(m, refusal), 1u);
+  EXPECT_EQ(m.positions.size(), used);
+  EXPECT_TRUE(sheet_faults(m).empty());
+}
+
 TEST(Sheet, that_faces_down_is_reported_with_a_question_about_z) {
   TriangleMesh m = battery::flat_rock(1.0, 0.1, 4);
   EXPECT_FALSE(faces_down(m));

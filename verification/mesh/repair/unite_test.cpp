@@ -88,9 +88,7 @@ TEST(Unite, makes_solids_that_touch_in_an_edge_overlap) {
 }
 
 TEST(Unite, rejects_what_has_no_solid_union) {
-  const Solid a{"a", battery::box({0, 0, 0}, {1, 1, 1})},
-      b{"b", battery::box({1, 1, 0}, {2, 2, 1})};
-  EXPECT_NE(unite({a, b}, any).refusal, "");  // they touch in an edge
+  const Solid a{"a", battery::box({0, 0, 0}, {1, 1, 1})};
   TriangleMesh open = a.mesh;
   open.triangles.pop_back();
   EXPECT_EQ(unite({{"open", open}}, any).refusal.find("solid open: hole: 3 times"), 0u);

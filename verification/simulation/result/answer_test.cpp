@@ -73,6 +73,16 @@ TEST(Answer, of_means_that_drift_says_so) {
             "steadiness");
 }
 
+TEST(Answer, of_a_run_without_a_diagnosis_says_why) {
+  RunSummary s = drilled();
+  s.diagnosis.text = "";
+  s.steady = means_over(0.002, {});
+  EXPECT_EQ(
+      answer_lines(s, AnswerUnits::metric).back(),
+      "diagnosis        none, the run is too short; means over 0.002 revolutions, too few for "
+      "a test of steadiness");
+}
+
 TEST(Answer, of_a_bit_that_neither_carries_weight_nor_advances_has_no_ratios) {
   RunSummary s = drilled();
   s.loads->wob.mean = s.loads->rop.mean = 0.0;
