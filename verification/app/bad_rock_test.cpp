@@ -114,8 +114,7 @@ TEST(BadRock, a_unit_that_makes_the_rock_too_small) {
   expect_wrong(small, "rock.off", "is it in m (rock.unit = \"1 m\": edges of ");
   const SmallCase narrow = case_on({.cells = 8, .edge = 4.0});
   const auto told = narrow.check();
-  EXPECT_NE(told.err.find("rock.unit: the rock is 32 mm wide with rock.unit = 0.001 m, and the "
-                          "bit"),
+  EXPECT_NE(told.err.find("rock.off: the rock is 32 mm wide with rock.unit = 0.001 m, and the bit"),
             std::string::npos)
       << told.err;
 }

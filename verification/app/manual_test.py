@@ -74,7 +74,7 @@ class ManualPage(unittest.TestCase):
 
     def test_sets_examples_and_remarks_apart(self):
         page = tdbd("help", "--man")
-        self.assertIn("\n.PP\npdc: a PDC bit drills; ", page)
+        self.assertIn("\n.PP\npdc: a PDC bit with a given motion; ", page)
         self.assertEqual(page.count("\n.PP\nExample:\n.PP\n.EX\n    tdbd "), len(commands()))
         self.assertNotIn(".PP\n.PP", page)
 

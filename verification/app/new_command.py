@@ -38,7 +38,7 @@ def check(kind):
         assert written.read_bytes() == shipped[0].read_bytes().replace(b"\r\n", b"\n"), file
     words = run.removeprefix("to run it: tdbd ").split()
     done = tdbd(*words, *SHORT[kind])
-    assert done.returncode == 0 and done.stderr.count("warning") == 0, (words, done)
+    assert done.returncode == 0 and (kind != "bit" or done.stderr == ""), (words, done)
     again = tdbd("new", kind, kind)
     assert again.returncode == 2 and "which exists, expected a new folder" in again.stderr, again
 

@@ -12,11 +12,11 @@ TEST(ResultFolder, contains_every_file_of_the_design) {
   const SmallCase c;
   ASSERT_EQ(c.run({"--set", "output.frames_every=10"}).exit_code, 0);
   EXPECT_EQ(files_below(c.path("out")),
-            (std::vector<std::string>{"bit.glb", "bit.json", "bit.pvd", "bit_poses.csv",
-                                      "case.toml", "frames/bit_final.vtp", "frames/rock-000010.vtp",
-                                      "frames/rock-000020.vtp", "frames/rock_final.vtp",
-                                      "history.csv", "history.nc", "rock.pvd", "rock_final.ply",
-                                      "summary.json", "timing.json"}));
+            (std::vector<std::string>{
+                "bit.glb", "bit.json", "bit.pvd", "bit_poses.csv", "case.toml", "checkpoint.bin",
+                "frames/bit_final.vtp", "frames/rock-000010.vtp", "frames/rock-000020.vtp",
+                "frames/rock_final.vtp", "history.csv", "history.nc", "history.rows", "rock.pvd",
+                "rock_final.ply", "summary.json", "timing.json"}));
 }
 
 TEST(ResultFolder, a_collection_has_one_frame_for_one_time) {
