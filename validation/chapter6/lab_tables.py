@@ -134,7 +134,7 @@ def objective_row(r):
     j = r.json
     return [r.law, r.pairing.words(), r.mode, f"{j['objective_wob']:.3g}", f"{j['objective_tob']:.3g}", j["degrees_of_freedom"],
             *(percent(j[f"{who}_bit_error_{load}_{what}"]) for who in ("fitted", "withheld") for load in ("wob", "tob")
-              for what in (("rms",) if who == "fitted" else ("rms", "p95"))),
+              for what in (("rms",) if who == "fitted" else ("rms", "largest"))),
             "yes" if j["extrapolates"] else "no"]
 
 
@@ -153,12 +153,12 @@ def objectives(results):
     rows = [objective_row(r) for r in results.values()]
     return Table("objectives", "table 6.4", "WOB and TOB objectives for separate and combined pressures, and the withheld bit",
                  "Sum of squared residuals of each load, in units of their noise, and beside it what decides: the error of the bit that "
-                 "the fit has not seen, against its readings with their noise of 3 % each and 3 % a test (%, root mean square and 95th "
-                 "percentile). Coefficients for each pressure lower the sum of the objectives also where, as here, one set for both is the truth: "
+                 "the fit has not seen, against its readings with their noise of 3 % each and 3 % a test (%, root mean square and "
+                 "largest). Coefficients for each pressure lower the sum of the objectives also where, as here, one set for both is the truth: "
                  "judge on the withheld bit. "
                  + verdict(results) + " " + SYNTHETIC + " " + NOT_THEIRS,
                  ["law", "pairing", "fit", "WOB objective", "TOB objective", "degrees of freedom", "fitted bits, WOB rms %", "TOB rms %",
-                  "withheld bit, WOB rms %", "WOB p95 %", "TOB rms %", "TOB p95 %", "extrapolates"], rows)
+                  "withheld bit, WOB rms %", "WOB largest %", "TOB rms %", "TOB largest %", "extrapolates"], rows)
 
 
 def identified(results):

@@ -140,7 +140,7 @@ def check_all():
 def self_test():
     good = [("src/rock/cut.cpp", '#include "bit/bit.hpp"'),
             ("src/core/config/csv.cpp", "#include <vector>"),
-            ("src/mesh/files/files.cpp", "#include <CGAL/Surface_mesh.h>"),
+            ("src/mesh/repair/unite.cpp", "#include <CGAL/Surface_mesh.h>"),
             ("src/core/config/csv.cpp", '// #include "mesh/measures.hpp"'),
             ("reference/tools/show.cpp", '#include "mesh/files/files.hpp"'),
             ("reference/tools/show.cpp", '#include "simulation/rotate/rotate_case.hpp"'),
