@@ -173,11 +173,27 @@ void remove_checkpoints(const OutputFolder& folder) {
     for (const fs::path& name : {file, partial_path(file)}) fs::remove(name, ignored);
 }
 
+namespace {
+
+bool is_complete(const fs::path& checkpoint) {
+  if (!fs::exists(checkpoint)) return false;
+  try {
+    require_seal(checkpoint);
+    return true;
+  } catch (const RunError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
 void keep_newest_checkpoint(const OutputFolder& folder) {
   std::error_code ignored;
+  if (is_complete(folder.new_checkpoint()))  // a kill before it was renamed
+    fs::rename(folder.new_checkpoint(), folder.checkpoint(), ignored);
+  if (!fs::exists(folder.checkpoint(), ignored)) return;
   for (const fs::path& file : {folder.new_checkpoint(), folder.previous_checkpoint()})
-    for (const fs::path& name : {file, partial_path(file)})
-      if (fs::exists(folder.checkpoint(), ignored)) fs::remove(name, ignored);
+    for (const fs::path& name : {file, partial_path(file)}) fs::remove(name, ignored);
 }
 
 bool read_newest_checkpoint(const OutputFolder& folder,

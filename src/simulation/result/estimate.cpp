@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "mesh/measures.hpp"
@@ -28,10 +29,13 @@ double history_bytes(const Case& c, double steps) {
                          numbers_per_part * static_cast<double>(c.bit.parts.size()) +
                          numbers_per_cutter * static_cast<double>(c.bit.cutters.size());
   const double rows = steps / static_cast<double>(c.output.history_every);
-  constexpr double whole = 8.0, window = 2.0;  // a number; single and deflated
-  const double per_number = c.output.history_every > 1 ? window : whole;
-  const double kept = c.output.checkpoint_every != 0 ? whole : 0.0;  // history.rows
-  return rows * ((per_number + kept) * numbers + csv_per_number * bit_level_columns);
+  // Bytes of a number: in history.nc single values, or windows that are deflated; in history.rows.
+  constexpr double whole = 8.0, window = 2.0, rows_of_chunk = 64.0;
+  const bool has_windows = c.output.history_every > 1;
+  const double in_nc =
+      has_windows ? window * rows : whole * rows_of_chunk * std::ceil(rows / rows_of_chunk);
+  const double in_rows = c.output.checkpoint_every != 0 ? whole * rows : 0.0;
+  return (in_nc + in_rows) * numbers + csv_per_number * bit_level_columns * rows;
 }
 
 /// Returns the size of the profiles of a string on a chain.

@@ -100,6 +100,16 @@ TEST_F(ResumeOne, tidies_what_a_finished_run_left) {
   EXPECT_EQ(result_files(whole), files);
 }
 
+/// A kill while the last checkpoint was put in place: under its first name it is complete, and the older one has moved.
+TEST_F(ResumeOne, puts_the_last_checkpoint_of_a_finished_run_in_place) {
+  run(c, {.folder = whole});
+  const auto files = result_files(whole);
+  fs::rename(whole / "checkpoint.bin", whole / "checkpoint-new.bin");
+  std::ofstream(whole / "checkpoint-previous.bin") << "older";
+  EXPECT_TRUE(tidy_if_finished(whole));
+  EXPECT_EQ(result_files(whole), files);
+}
+
 /// As on a full disk, where a root's permissions would not bind: a folder stands where the file goes.
 TEST_F(ResumeOne, continues_from_the_last_complete_checkpoint) {
   run(c, {.folder = whole});
