@@ -13,9 +13,6 @@ import sys
 from functools import cached_property
 from pathlib import Path
 
-import netCDF4
-import numpy as np
-
 from fingerprint import Stale
 
 HERE = Path(__file__).parent
@@ -131,25 +128,29 @@ class Result:
 
     def circle(self, model):
         """Depths (m) at equal angles of the compared circle, or None."""
+        import netCDF4  # here, as scripts/report reads this file each time and mostly needs no bottom: it takes half of the start
+
         with netCDF4.Dataset(self.folder / "comparison.nc") as file:
             if "bottom_depth" not in file.variables or model not in self.titles:
                 return None
             at = list(file["model"][:]).index(model)
             samples = int(file["circle_samples"][at])
-            return np.array(file["bottom_depth"][at, :samples]) if samples else None
+            return file["bottom_depth"][at, :samples].filled() if samples else None
 
     def harmonics(self, model):
         """Amplitudes (m) of the bottom's waves round the circle, by their number; None without a bottom."""
         depth = self.circle(model)
         if depth is None:
             return None
+        import numpy as np
+
         waves = 2.0 * np.abs(np.fft.rfft(depth - depth.mean())) / len(depth)
         return waves
 
     def strongest(self, model, count=4):
         """Numbers of the strongest waves, or None."""
         waves = self.harmonics(model)
-        return None if waves is None else [int(k) for k in np.argsort(-waves)[:count]]
+        return None if waves is None else [int(k) for k in (-waves).argsort()[:count]]
 
 
 def said(runs, quantity):

@@ -70,7 +70,12 @@ Left remaining_rock_of(const RoundCutter& own, double at, const Rim& other, bool
   }
   // A cutter that is higher than this has no effect in drilling.
   constexpr double farthest = 0.02;
-  if (highest == never || left.needed.back() < -farthest) left.needed.clear();
+  if (highest == never || left.needed.back() < -farthest) {
+    left.needed.clear();
+    return left;
+  }
+  left.least = left.needed.front();
+  left.largest = left.needed.back();
   return left;
 }
 
@@ -134,7 +139,8 @@ RockInColumn rock_in_column(const Column& column, const std::vector<double>& mar
   std::size_t top = marks.size() - 1;  // index of a mark at or above `up`; initially the last
   for (const Left& left : column.left) {
     const double down = height - history.at(turned - left.lag, turned, height);
-    rock.deep = std::min(rock.deep, down - left.needed.front());
+    rock.deep = std::min(rock.deep, down - left.least);
+    if (left.largest < down) continue;      // it left all of the rock; nearly all others end here
     if (left.needed[top] < down) continue;  // it left all of the rock up to this mark
     const auto first = left.needed.begin();
     const auto beyond = std::lower_bound(first, first + static_cast<std::ptrdiff_t>(top), down);

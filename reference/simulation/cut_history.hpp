@@ -32,8 +32,9 @@ class HeightHistory {
 /// What one cutter left of a column of another one: the column's point `up` (at the marks of
 /// Columns) is rock only if the bit has moved down by more than `needed` (m) since.
 struct Left {
-  double lag = 0.0;            ///< rad that the bit has rotated since, in (0, 2 pi]
-  std::vector<double> needed;  ///< m, ascending, one per mark
+  double lag = 0.0;                   ///< rad that the bit has rotated since, in (0, 2 pi]
+  double least = 0.0, largest = 0.0;  ///< m, the first and the last of `needed`
+  std::vector<double> needed;         ///< m, ascending, one per mark
 };
 
 /// A column of a face: the points above the rim's point at the angle `at` from -Z.

@@ -8,7 +8,7 @@ import sys
 import time
 
 CASES = pathlib.Path(__file__).resolve().parents[2] / "cases"
-DRILLED = ["output.checkpoint_every=7", "output.frames_every=25", "rock.edge_length='4 mm'"]
+DRILLED = ["output.checkpoint_every=7", "output.frames_every=25", "rock.edge_length='6 mm'"]
 KINDS = {
     "steady": ("run", "bit-b-steady", DRILLED + ["time.revolutions=0.5"]),
     "forces": ("run", "bit-b-3000psi", DRILLED + ["time.revolutions=0.3", "output.history_every=7"]),
@@ -16,7 +16,7 @@ KINDS = {
     "drilling": ("run", "drill-bit-b", DRILLED + ["time.duration='0.2 s'"]),
     "trimmed": ("run", "core", DRILLED + ["time.step='2 ms'", "rock.trim='80 mm'", "rock.wall='120 mm'",
                                           "time.revolutions=0.5", "motion.rate_of_penetration='100 m/h'"]),
-    "top": ("rotate", "slow-top", ["output.checkpoint_every=20000", "output.history_every=700", "time.duration=3000",
+    "top": ("rotate", "slow-top", ["output.checkpoint_every=20000", "output.history_every=700", "time.duration=2000",
                                    "integrator.drift=lie-mean", "integrator.order=8"]),
     "cones": ("rotate", "heavy-gyrostat", ["output.checkpoint_every=30000", "time.duration=9000",
                                            "load.damping=[1e-4, 1e-4, 1e-4]"]),
