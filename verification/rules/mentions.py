@@ -4,7 +4,7 @@ import re
 
 import sources
 
-FOLDERS = ("src", "reference", "verification", "benchmarks", "examples", "reports", "cases", "validation", "python", "README.md", "CONTRIBUTING.md")
+FOLDERS = ("src", "reference", "verification", "benchmarks", "examples", "reports", "cases", "validation", "python", "docs", "README.md", "CONTRIBUTING.md")
 CODE = re.compile(r"`([^`\n]+)`")
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 TEST = re.compile(r"^\s*(?:TEST|TEST_F|TEST_P|TYPED_TEST|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\(\s*(\w+)\s*,\s*(\w+)", re.MULTILINE)

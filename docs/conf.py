@@ -1,0 +1,106 @@
+"""Configuration of the documentation site. scripts/docs stages the pages (docs/tools/stage.py) and calls Sphinx."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from sphinx.util import logging
+
+ROOT = Path(os.environ["TDBD_ROOT"])
+sys.path.insert(0, os.environ.get("TDBD_PYTHON_PACKAGE", str(ROOT / "build/release/python")))
+
+project = "TDBD"
+author = "the TDBD authors"
+copyright = "the TDBD authors, GPL-3.0-or-later"
+version = release = next(line.split(":")[1].strip() for line in (ROOT / "CITATION.cff").read_text().split("\n") if line.startswith("version"))
+
+extensions = ["myst_parser", "sphinx.ext.autodoc", "docs_equations"]
+myst_enable_extensions = ["dollarmath", "colon_fence", "deflist"]
+myst_dmath_allow_space = False
+myst_heading_anchors = 3
+suppress_warnings = ["myst.header"]
+exclude_patterns = ["README.md"]
+source_suffix = {".md": "markdown"}
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"
+default_role = "code"
+highlight_language = "none"
+nitpicky = False
+
+html_theme = "furo"
+html_title = f"TDBD {version}"
+html_static_path = ["static"]
+html_css_files = ["katex/katex.min.css", "tdbd.css"]
+html_extra_path = ["extra"]
+html_copy_source = False
+html_show_sphinx = False
+# Browsers do not let a page that was opened from disk read other files.
+html_show_search_summary = False
+html_theme_options = {"navigation_with_keys": True}
+
+
+class Equations:
+    """One process that converts all equations."""
+
+    def __init__(self):
+        self.process = None
+
+    def html(self, tex, display):
+        if self.process is None:
+            self.process = subprocess.Popen(["node", str(ROOT / "docs/tools/equations.js")], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        self.process.stdin.write(json.dumps({"tex": tex, "display": display}) + "\n")
+        self.process.stdin.flush()
+        return json.loads(self.process.stdout.readline())
+
+
+equations = Equations()
+
+
+def write_equation(translator, node, display):
+    from docutils import nodes
+    answer = equations.html(node.astext(), display)
+    if "error" in answer:
+        logging.getLogger(__name__).warning("the equation %r is wrong: %s", node.astext(), answer["error"], location=node)
+    number = f'<span class="eqno">({node["number"]})</span>' if display and node.get("number") else ""
+    tag = "div" if display else "span"
+    translator.body.append(f'<{tag} class="equation">{number}{answer.get("html", "")}</{tag}>')
+    raise nodes.SkipNode
+
+
+def add_equations(app):
+    app.add_html_math_renderer("katex", (lambda t, n: write_equation(t, n, False), None), (lambda t, n: write_equation(t, n, True), None))
+
+
+# The renderer is an extension of its own so that Sphinx knows it before it reads html_math_renderer.
+module = type(sys)("docs_equations")
+module.setup = lambda app: add_equations(app) or {"parallel_read_safe": True}
+sys.modules["docs_equations"] = module
+html_math_renderer = "katex"
+
+
+def copy_katex(app, _):
+    """Copies the style sheet and the fonts of the equations into the site."""
+    if app.builder.format != "html":
+        return
+    target = Path(app.outdir) / "_static/katex"
+    (target / "fonts").mkdir(parents=True, exist_ok=True)
+    shutil.copy("/usr/share/javascript/katex/katex.min.css", target)
+    for font in Path("/usr/share/fonts/truetype/katex").glob("*.woff2"):
+        shutil.copy(font, target / "fonts")
+
+
+def literal_examples(app, what, name, obj, options, lines):
+    """Docstrings show examples as indented lines; the markup needs a mark before them."""
+    if what == "module":  # autodoc removed the indentation if all lines but the first are an example
+        lines[:] = obj.__doc__.split("\n")
+    for i in range(len(lines) - 1, 0, -1):
+        if lines[i].startswith("    ") and not lines[i - 1].strip() and (i < 2 or not lines[i - 2].startswith("    ")):
+            lines[i:i] = ["::", ""]
+
+
+def setup(app):
+    app.connect("autodoc-process-docstring", literal_examples)
+    app.connect("build-finished", copy_katex)
