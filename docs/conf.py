@@ -28,7 +28,7 @@ autodoc_member_order = "bysource"
 autodoc_typehints = "none"
 default_role = "code"
 highlight_language = "none"
-nitpicky = False
+smartquotes = False  # quotation marks in tables are part of settings
 
 html_theme = "furo"
 html_title = f"TDBD {version}"

@@ -37,7 +37,12 @@ def read(path):
 
 def check(site):
     pages, problems = {}, []
-    parsed = lambda path: pages.setdefault(path, read(path))
+
+    def parsed(path):
+        if path not in pages:
+            pages[path] = read(path)
+        return pages[path]
+
     for path in sorted(site.rglob("*.html")):
         if path.relative_to(site).parts[0] in SKIPPED:
             continue

@@ -8,7 +8,7 @@ import sys
 import time
 
 CASES = pathlib.Path(__file__).resolve().parents[2] / "cases"
-DRILLED = ["output.checkpoint_every=7", "output.frames_every=25", "rock.edge_length='6 mm'"]
+DRILLED = ["output.checkpoint_every=7", "output.frames_every=25", "rock.edge_length='4 mm'"]
 KINDS = {
     "steady": ("run", "bit-b-steady", DRILLED + ["time.revolutions=0.5"]),
     "forces": ("run", "bit-b-3000psi", DRILLED + ["time.revolutions=0.3", "output.history_every=7"]),
