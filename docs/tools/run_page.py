@@ -241,13 +241,13 @@ def run_page(page, folder, bins):
     return count, skipped, outputs
 
 
-def write_outputs(page, outputs):
-    """Replaces each `?` below a command by the output of the command."""
+def write_outputs(page, outputs, folder):
+    """Replaces each `?` below a command by the output of the command. The scratch folder becomes `...`."""
     lines, out, last = page.read_text(encoding="utf-8").split("\n"), [], None
     for number, line in enumerate(lines, 1):
         last = number if number in outputs else last
         if line == "?" and last is not None:
-            out += [text.rstrip() for text in outputs[last]]
+            out += [text.rstrip().replace(str(folder), "...") for text in outputs[last]]
         else:
             out.append(line)
     page.write_text("\n".join(out), encoding="utf-8")
@@ -283,7 +283,7 @@ def run_all(pages, work, bins, write=False, force=False):
             for line, why in skipped:
                 print(f"run_page: {shown}:{line}: not run: {why}")
             if write:
-                write_outputs(page, outputs)
+                write_outputs(page, outputs, folder)
             if any(text == "?" for block in blocks(page.read_text(encoding="utf-8")) for c in block.commands for _, text in c.expected):
                 raise Problem(1, "the page has an output of ?; run with --write")
             stamp.write_text(json.dumps({"fingerprint": fingerprint(page, bins), "commands": count, "seconds": seconds, "skipped": skipped}), encoding="utf-8")

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 """Collects the pages of the documentation site in one folder, build/docs-source, for Sphinx.
 
-    docs/tools/stage.py [--placeholders]
+    docs/tools/stage.py [--allow-missing]
 
 - The pages of docs/.
 - Every Markdown page of the repository, under repository/, with its path. Links between these pages keep working.
 - Pages that are generated: the commands (from --help), the settings (from `tdbd keys --markdown`), the glossary (from
   README.md), the list of the pages of the repository.
 - The pictures and pages that the commands of the pages made (docs/tools/run_page.py): a page refers to FILE in the scratch
-  folder of PAGE as run/PAGE/FILE. With --placeholders a missing picture is replaced by a grey one.
+  folder of PAGE as run/PAGE/FILE. With --allow-missing a missing picture is grey.
 - The documentation of the C++ headers, and, where they were made before, the evidence report and the page for browsers.
 """
 
@@ -132,7 +132,7 @@ def stage_glossary():
     write("glossary.md", GENERATED + "# Glossary\n" + table)
 
 
-def stage_runs(placeholders):
+def stage_runs(allow_missing):
     """Copies the files that pages show from the scratch folders of their commands."""
     missing = []
     for page in sorted(OUT.rglob("*.md")):
@@ -144,15 +144,15 @@ def stage_runs(placeholders):
                 target.parent.mkdir(parents=True, exist_ok=True)
                 if made.is_file():
                     shutil.copy(made, target)
-                elif placeholders:
-                    write_placeholder(target)
+                elif allow_missing:
+                    write_grey(target)
                 else:
                     missing.append(f"{page.relative_to(OUT)}: no command made {link}")
     if missing:
         sys.exit("\n".join(missing))
 
 
-def write_placeholder(target):
+def write_grey(target):
     if target.suffix == ".html":
         target.write_text("<!doctype html><title>Not made</title><p>The commands of the page were not run.", encoding="utf-8")
         return
@@ -190,7 +190,7 @@ def main():
     stage_settings()
     stage_glossary()
     stage_citation()
-    stage_runs("--placeholders" in sys.argv[1:])
+    stage_runs("--allow-missing" in sys.argv[1:])
     stage_made()
 
 
