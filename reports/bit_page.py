@@ -55,8 +55,8 @@ def cutter_charts(bit):
                 "rims; negative where others stand out beyond it. Below: the share of a diameter by which a tip overlaps "
                 "the next one; back-ups are left out.", bit_charts.exposure(bit))
     yield chart("Rakes", "Back and side rake of every cutter.", bit_charts.rakes(bit))
-    yield chart(f"Volume and cut area at {advance:.3g} mm a revolution", "In steady drilling, before any: the classical radial "
-                "plane in closed form. The volumes add up to the hole.", bit_charts.loads(bit))
+    yield chart(f"Volume and cut area at {advance:.3g} mm a revolution", "Computed for steady drilling, without a run: the classical "
+                "radial plane in closed form. The volumes add up to the hole.", bit_charts.loads(bit))
     yield chart("Redundancy", f"How many cutters remove rock at each radius at {advance:.3g} mm a revolution.",
                 bit_charts.redundancy(bit))
     if "body" in bit.analysis:

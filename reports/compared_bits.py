@@ -92,7 +92,7 @@ def geometry(analysis):
     sums = {"gage diameter mm": 2e3 * analysis["gage_radius_m"], "mass kg": analysis["mass_kg"], "blades": len({c["blade"] for c in cutters}),
             "cutters": len(cutters), "mean diameter of the cutters mm": 1e3 * float(np.mean([c["diameter_m"] for c in cutters])),
             "mean back rake deg": math.degrees(float(np.mean([c["back_rake_rad"] for c in cutters]))),
-            "cutters that cut at a radius, mean": analysis["mean_redundancy"]}
+            "cutters that cut at each radius, mean": analysis["mean_redundancy"]}
     for key, words, factor in (("junk_slot_area_m2", "junk slots mm²", 1e6), ("touches_at_m_per_rev", "body touches the rock at mm/rev", 1e3)):
         if body.get(key) is not None:
             sums[words] = factor * body[key]

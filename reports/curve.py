@@ -43,12 +43,8 @@ def column(rows, name):
 
 def found_weights(folder):
     """{rock: (weight in kN, rate in m/h)} of rates.csv, if there is one."""
-    path = folder / "rates.csv"
-    if not path.is_file():
-        return {}
-    with path.open(newline="", encoding="utf-8") as file:
-        return {row["rock"]: (KILO * float(row["weight_set_n"]), float(row["rop_mean_m_per_h"])) for row in csv.DictReader(file)
-                if row["result"] in ("found", "within-interval")}
+    return {row["rock"]: (KILO * float(row["weight_set_n"]), float(row["rop_mean_m_per_h"])) for row in rates(folder)
+            if row["result"] in ("found", "within-interval")}
 
 
 def draw_line(axis, rows, name, colour):
@@ -62,9 +58,18 @@ def draw_line(axis, rows, name, colour):
                          elinewidth=0.8, capsize=2, label=rows[0]["rock"])
 
 
-def draw_curve(folder, out):
-    """Draws curve.csv of a folder and returns the path of the picture, OUT/curve.png. Raises OSError or ValueError if there is none."""
-    folder, out = Path(folder), Path(out)
+def rates(folder):
+    """The rows of rates.csv; none without the file."""
+    path = Path(folder) / "rates.csv"
+    if not path.is_file():
+        return []
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def figure_of(folder):
+    """The figure of curve.csv of a folder. Raises OSError or ValueError if there is none."""
+    folder = Path(folder)
     rows = read_rows(folder / "curve.csv")
     rocks = list(dict.fromkeys(row["rock"] for row in rows))
     found = found_weights(folder)
@@ -86,10 +91,18 @@ def draw_curve(folder, out):
             axis.grid(alpha=0.3)
         if len(rocks) > 1 or found:
             torque.legend(fontsize=8)
-        path = out / "curve.png"
-        out.mkdir(parents=True, exist_ok=True)
+    return fig
+
+
+def draw_curve(folder, out):
+    """Draws curve.csv of a folder and returns the path of the picture, OUT/curve.png. Raises OSError or ValueError if there is none."""
+    out = Path(out)
+    fig = figure_of(folder)
+    path = out / "curve.png"
+    out.mkdir(parents=True, exist_ok=True)
+    with plt.rc_context({"font.size": 9}):
         fig.savefig(path, dpi=160, metadata={"Software": None})
-        plt.close(fig)
+    plt.close(fig)
     return path
 
 

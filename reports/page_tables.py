@@ -3,7 +3,7 @@
 import numpy as np
 
 BIT_KEYS = {"schema", "name", "gage_radius_m", "penetration_m_per_rev", "imbalance_of_unit_law", "imbalance_vector_of_unit_law",
-            "mean_redundancy", "mass_kg", "centre_m", "inertia_kg_m2", "column_width_m", "cutters_cutting_at_radius", "cutters",
+            "balance", "mean_redundancy", "mass_kg", "centre_m", "inertia_kg_m2", "column_width_m", "cutters_cutting_at_radius", "cutters",
             "parts", "body_profile_rz_m", "cones", "clearances", "tracking", "cutter_overlaps", "cutters_in_body_m3", "body"}
 CONE_KEYS = {"axis", "origin_m", "rows", "sections", "assumptions", "tracking_share_by_lag"}  # besides the columns
 LISTED = 12  # numbers of a list that are shown
@@ -101,11 +101,29 @@ def body(analysis):
     found = analysis["body"]
     rows = [("blades", f"exposure {1e3 * found['exposure_m']:.4g} mm, slots {1e3 * found['slot_depth_m']:.4g} mm deep, "
                        f"junk slots {1e6 * found['junk_slot_area_m2']:.5g} mm2")]
+    if found.get("stands_proud_m"):
+        rows.append(("blades stand proud of the cutters by", f"{1e3 * found['stands_proud_m']:.4g} mm: they rub at any depth of cut"))
     if found.get("least_axial_clearance_m") is not None:
         rows.append(("blades clear the rock by", f"{1e3 * found['least_axial_clearance_m']:.4g} mm along the axis"))
     if found.get("touches_at_m_per_rev") is not None:
         rows.append(("blades touch it from", f"{1e3 * found['touches_at_m_per_rev']:.4g} mm a revolution on"))
     return rows
+
+
+def balance(analysis):
+    """Side forces over the weight of the planar model, and its normal and drag parts."""
+    found = analysis.get("balance")
+    if not found:
+        return []
+
+    def towards(key):
+        vector = found[f"{key}_vector_over_weight"]
+        return f"{100 * found[f'{key}_over_weight']:.2f} % of the weight, towards {np.degrees(np.arctan2(vector[1], vector[0])) + 0.0:.0f} deg"
+
+    ratio = found["normal_over_drag_force"]
+    return [("imbalance of the planar model (Warren and Sinor 1986)", f"{towards('planar')}; compare layouts by this value"),
+            ("its normal part: pushes along the profile's normals", towards("normal_part")),
+            (f"its drag part: pushes against the motion, normal over drag force {ratio:g}", towards("drag_part"))]
 
 
 def numbers(bit):
@@ -118,9 +136,10 @@ def numbers(bit):
     if bit.cutters:
         lateral = a["imbalance_vector_of_unit_law"]
         rows += [("penetration", f"{1e3 * a['penetration_m_per_rev']:.4g} mm a revolution"),
-                 ("cutters that cut at a radius, mean by area", f"{a['mean_redundancy']:.3f}"),
+                 ("cutters that cut at each radius, mean by area", f"{a['mean_redundancy']:.3f}"),
                  ("imbalance of the unit law", f"{100 * a['imbalance_of_unit_law']:.3f} % of all pushes, towards "
                   f"{np.degrees(np.arctan2(lateral[1], lateral[0])):.1f} deg")]
+        rows += balance(a)
     rows += overlaps(a) + body(a) + [(path, value) for path, value in leftovers(bit) if isinstance(value, str)]
     return {"title": "In numbers", "note": "", "folded": False, "heads": [], "rows": rows}
 

@@ -60,9 +60,20 @@ def string(folder, _):
     return [Picture(name, titles.get(name, name), "", lambda figure=figure: figure) for name, figure in figures.items()]
 
 
+def curve_of_rates(folder):
+    import curve  # here: pyplot, which the other pictures do not need
+
+    rows = curve.read_rows(folder / "curve.csv")
+    return {"curve": rows, "rates": curve.rates(folder)}, [
+        Picture("curve", "Rate and torque over the weight on bit", "Bars: intervals of the means (95 %). Stars: weights that were found for the rate.",
+                lambda: curve.figure_of(folder))]
+
+
 def of_folder(folder, kind):
-    """(summary, pictures) of a result folder of one of the kinds DRAWN, except curves. Raises result_kind.NoResult."""
+    """(summary, pictures) of a result folder of one of the kinds DRAWN. The summary of a curve has its tables. Raises NoResult."""
     folder = Path(folder)
+    if kind == "curve":
+        return curve_of_rates(folder)
     file = {"convergence": "convergence.json", "calibration": "calibration.json"}.get(kind, "summary.json")
     summary = result_kind.read(folder / file)
     if kind == "run":

@@ -95,7 +95,20 @@ def of_string(summary):
     return rows
 
 
-FACTS = {"run": of_run, "rotation": of_rotation, "convergence": of_study, "calibration": of_calibration, "string": of_string}
+def of_curve(summary):
+    """The message of each rock, and the points of the curve."""
+    rows = [(row["rock"], row["message"]) for row in summary["rates"]]
+    drifting = sum(row.get("steady") == "no" for row in summary["curve"])
+    if drifting:
+        rows.append(("not steady", f"{drifting} of {len(summary['curve'])} runs: their means drift; run longer"))
+    for row in summary["curve"]:
+        what = f"{row['rock']}, {number(KN * float(row['weight_set_n']))} kN"
+        values = [f"{number(float(row[key]))} {unit}" for key, unit in (("rop_mean_m_per_h", "m/h"), ("tob_mean_n_m", "N m"))]
+        rows.append((what, row.get("message") or ", ".join(values) + (", not steady" if row.get("steady") == "no" else "")))
+    return rows
+
+
+FACTS = {"curve": of_curve, "run": of_run, "rotation": of_rotation, "convergence": of_study, "calibration": of_calibration, "string": of_string}
 FORCE_HEADS = ("part", "normal force kN", "tangential force kN", "power kW", "specific energy MPa")
 
 

@@ -3,7 +3,7 @@
 
     reports/run_report.py FOLDER [-o FILE]      FOLDER/report.html
 
-FOLDER is a result of tdbd run, rotate, string, converge, calibrate or tdbd bit --report (of which bit_page.py makes the page).
+FOLDER is a result of tdbd run, rotate, string, converge, calibrate, curve or tdbd bit --report (of which bit_page.py makes the page).
 Exit code 2 and a message for anything else.
 """
 
@@ -30,10 +30,10 @@ import run_facts
 from progress import Progress
 
 HERE = Path(__file__).resolve().parent
-KINDS = ("run", "rotation", "string", "convergence", "calibration", "bit")
+KINDS = ("run", "rotation", "string", "convergence", "calibration", "bit", "curve")
 DPI = 130  # of pictures: sharp on paper at the width of the page
 TITLES = {"run": "A drilling run", "rotation": "A rotating body", "string": "A drill string", "convergence": "A study of convergence",
-          "calibration": "A calibration"}
+          "calibration": "A calibration", "curve": "A curve of rate over weight"}
 
 
 def embedded(figure):

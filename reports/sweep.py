@@ -17,7 +17,7 @@ import argparse
 import csv
 import sys
 import textwrap
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import system_python
@@ -37,6 +37,10 @@ DOT, MEAN, FRONT = "#9bb0c1", "#b3382c", "#1b1b1b"
 BINS = 8  # of a factor with more values than this
 MOST_MAPS = 6  # of one figure, side by side
 WORDS = {"wob": "weight on bit", "tob": "torque on bit", "rop": "rate of penetration"}
+# Units in SI, as tables have them and as names of figures end: the unit in pictures, and its value in SI.
+DRAWN = {"N": ("kN", 1e3), "N m": ("kN m", 1e3), "m/s": ("m/h", 1.0 / 3600.0), "rad/s": ("rpm", np.pi / 30.0), "Pa": ("MPa", 1e6), "m": ("mm", 1e-3),
+         "W": ("kW", 1e3)}
+MEANS = ("mean", "std", "min", "max")  # put before the quantity in a label
 
 
 @dataclass
@@ -72,14 +76,34 @@ def column_of(variable):
     return Column(name, name, np.ma.filled(variable[:], np.nan).astype(float), [], unit)
 
 
+def suffix_of(unit):
+    """The end of the name of a figure with this unit: "_m_per_s"."""
+    return "_" + unit.replace("/", "_per_").replace(" ", "_").lower()
+
+
+def unit_of(column):
+    """The unit of a column; that of a figure without one follows from the end of its name."""
+    if column.unit != "1":
+        return column.unit
+    fitting = [unit for unit in DRAWN if column.name.endswith(suffix_of(unit))]
+    return max(fitting, key=len, default="1")
+
+
 def set_labels(columns):
     """Labels for axes: the last part of the name in words, with the unit. Names with the same last part keep their other parts."""
     last = [c.name.rpartition(".")[2] for c in columns]
     for column, short in zip(columns, last):
-        suffix = "_" + column.unit.replace("/", "_per_").replace(" ", "_").lower()
-        words = (short if last.count(short) == 1 else column.name).removesuffix(suffix)
-        words = " ".join(WORDS.get(word, word) for word in words.split("_"))
-        column.label = words if column.unit == "1" else f"{words} [{column.unit}]"
+        unit = unit_of(column)
+        words = (short if last.count(short) == 1 else column.name).removesuffix(suffix_of(unit)).split("_")
+        first = [word for word in words if word in MEANS]
+        words = " ".join(first + [WORDS.get(word, word) for word in words if word not in MEANS])
+        column.label = words if unit == "1" else f"{words} [{DRAWN.get(unit, (unit, 1.0))[0]}]"
+
+
+def in_drawn_units(column):
+    """The column with its values in the unit of its label."""
+    factor = DRAWN.get(unit_of(column), ("", 1.0))[1]
+    return replace(column, values=column.values / factor) if not column.words else column
 
 
 def is_grid(factors):
@@ -338,9 +362,10 @@ def main():
         sys.exit(f"{arguments.table}: found no point that is done, expected at least one")
     folder = arguments.output or arguments.table.parent
     folder.mkdir(parents=True, exist_ok=True)
-    for kind, draw in pictures(table).items():
+    drawn = replace(table, factors=[in_drawn_units(c) for c in table.factors], figures=[in_drawn_units(c) for c in table.figures])
+    for kind, draw in pictures(drawn).items():
         path = folder / f"{arguments.table.stem}_{kind}.svg"
-        figure = draw(table)
+        figure = draw(drawn)
         figure.savefig(path, metadata={"Date": None, "Creator": None})
         plt.close(figure)
         print(path)

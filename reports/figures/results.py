@@ -42,9 +42,14 @@ class Study:
     words: str  # the observed order, or why there is none
 
 
+NO_ORDER = {"too few": "not known (too few points above rounding)", "exact": "not needed (the results are exact)",
+            "not settled": "not known (local orders have not settled)"}
+
+
 def in_words(variable, digits=2):
+    """The order as a number, or why there is none."""
     order = variable["order"]
-    return variable["verdict"] if order is None else f"{order:.{digits}f}"
+    return NO_ORDER.get(variable["verdict"], variable["verdict"]) if order is None else f"{order:.{digits}f}"
 
 
 def convergence(folder):

@@ -5,7 +5,8 @@ const PLAYED = 6;  // s for all frames
 // In words what the picture shows, for those who hear the page.
 function wordsOf(run, state) {
   const f = run.frames[state.frame], turns = (f.time_s * run.revolutions_per_s).toFixed(2);
-  return `Frame ${f.number} of ${run.listed}: ${Number(f.time_s.toPrecision(4))} s, ${turns} revolutions, ${f.triangles} triangles`;
+  const shown = run.frames.length, left = shown < run.listed ? `, of which this page has ${shown}` : "";
+  return `Frame ${f.number} of ${run.listed}${left}: ${Number(f.time_s.toPrecision(4))} s, ${turns} revolutions, ${f.triangles} triangles`;
 }
 
 function connect(scene, changed) {

@@ -1,5 +1,6 @@
 """bit_page_test.py PROGRAM ROOT: the page of a bit from a design, of a cone bit and of a bit of meshes; bad folders."""
 
+import html
 import json
 import pathlib
 import re
@@ -14,6 +15,7 @@ import numpy as np
 
 PROGRAM, ROOT = map(pathlib.Path, sys.argv[1:3])
 sys.path.insert(0, str(ROOT / "reports"))
+import page_tables  # noqa: E402
 from figures import bit_charts, bit_data, bit_pictures  # noqa: E402
 
 ROUNDING = 1e-13  # of sums of some ten numbers of size 1
@@ -66,6 +68,19 @@ class BitPage(unittest.TestCase):
         page = self.page("generated", OF_CUTTERS, OF_CONES)
         self.assertIn("<td>215.900 mm</td>", page)
         self.assertIn("cutter-61", page)
+
+    def test_the_numbers_have_the_planar_balance(self):
+        page = self.page("table", OF_CUTTERS, OF_CONES)
+        found = json.loads((self.folder / "table/analysis.json").read_text())["balance"]
+        for key, words in (("planar", "imbalance of the planar model (Warren and Sinor 1986)"), ("normal_part", "its normal part"),
+                           ("drag_part", "its drag part")):
+            row = next(line for line in page.splitlines() if words in html.unescape(line))
+            self.assertIn(f"{100 * found[f'{key}_over_weight']:.2f} % of the weight, towards", row)
+        self.assertNotIn("planar_over_weight", page)
+
+    def test_a_body_that_stands_proud_is_a_line(self):
+        rows = dict(page_tables.body({"body": {"exposure_m": 8e-3, "slot_depth_m": 0.024, "junk_slot_area_m2": 0.01, "stands_proud_m": 0.5e-3}}))
+        self.assertEqual(rows["blades stand proud of the cutters by"], "0.5 mm: they rub at any depth of cut")
 
     def test_of_a_cone_bit_and_twice_the_same_bytes(self):
         page = self.page("cones", OF_CONES, OF_CUTTERS)

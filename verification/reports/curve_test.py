@@ -52,6 +52,17 @@ class Curve(unittest.TestCase):
         pictures = [curve.draw_curve(self.folder, self.folder / name).read_bytes() for name in ("a", "b")]
         self.assertEqual(*pictures)
 
+    def test_has_a_printable_page(self):
+        (self.folder / "curve.csv").write_text(TABLE.replace("\n", ",no,\n").replace("tob_interval_n_m,no,", "tob_interval_n_m,steady,message"))
+        (self.folder / "rates.csv").write_text(RATES.replace("per_h\n", "per_h,message\n").replace("nan,nan\n", "nan,nan,out\n").replace(
+            "20000,11\n", "20000,11,11 m/h takes 20 kN\n"))
+        done = subprocess.run([sys.executable, "-B", ROOT / "reports/run_report.py", self.folder], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr.strip().splitlines()[1:]), (0, []), done)
+        page = (self.folder / "report.html").read_text(encoding="utf-8")
+        for words in ("A curve of rate over weight", "11 m/h takes 20 kN", "3 of 3 runs: their means drift", "shale, 10 kN", "5 m/h, 600 N m, not steady",
+                      "data:image/png"):
+            self.assertIn(words, page)
+
     def test_what_is_no_curve_is_named(self):
         for text in (None, "a,b\n1,2\n", HEAD):
             if text is not None:

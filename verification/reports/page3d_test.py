@@ -80,6 +80,10 @@ class Pages(unittest.TestCase):
         page = (self.folder / "b/result.html").read_text(encoding="utf-8")
         self.assertEqual(len(page3d_data.header(page)["frames"]), 25)
         self.assertLess(len(page.encode()), MOST_BYTES)
+        self.assertIn("page3d: 25 frames, ", done.stdout)
+        few = make_here(self.folder / "b", "--most", "3", "-o", self.folder / "few.html")
+        self.assertIn("page3d: 3 of the 25 frames of the run (--most 3), ", few.stdout)
+        self.assertIn(", of which this page has ${shown}", page)
 
     def test_contains_every_frame_within_half_a_step_and_its_triangles_exactly(self):
         for name in ("b", "r"):

@@ -15,7 +15,7 @@ sys.path.insert(0, str(ROOT / "reports"))
 import balance  # noqa: E402
 import progress  # noqa: E402
 import result_pictures  # noqa: E402
-from figures import calibration_pictures, traces, work_precision  # noqa: E402
+from figures import calibration_pictures, results, traces, work_precision  # noqa: E402
 
 TOP = ROOT / "cases/slow-top.toml"
 DRILL = ("--set", "rock.edge_length=6 mm", "--set", "time.step=5 ms", "--set", "time.revolutions=0.4", "--set", "output.means_from=0.1 s")
@@ -87,6 +87,8 @@ class OfResults(unittest.TestCase):
         counts = [level["torque_evaluations"] for level in study["levels"]]
         self.assertEqual(counts, [level["steps"] + 1 for level in study["levels"]])
         [axes] = self.drawn("orders", "convergence")["work_precision"].draw().axes
+        self.assertEqual(results.in_words({"order": None, "verdict": "too few"}), "not known (too few points above rounding)")
+        self.assertEqual(results.in_words({"order": None, "verdict": "exact"}), "not needed (the results are exact)")
         np.testing.assert_array_equal(axes.get_lines()[0].get_xdata(), counts[:-1])
         np.testing.assert_allclose(axes.get_lines()[0].get_ydata(), np.array(study["variables"]["attitude"]["differences"])
                                    / study["variables"]["attitude"]["scale"])

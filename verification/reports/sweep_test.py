@@ -112,12 +112,21 @@ class Maps(unittest.TestCase):
         self.assertEqual([a.get_title() for a in axes], 2 * ["factor 1 [rpm]: 5", "factor 1 [rpm]: 6"])
         self.assertEqual(np.ravel(axes[1].collections[0].get_array())[0], 1.0 + 6.0 + 10.0)
 
+    def test_a_figure_has_the_unit_of_its_name_as_the_trade_writes_it(self):
+        made = [sweep.Column(name, "", np.array([2000.0, 3600.0]), []) for name in ("wob_mean_n", "tob_mean_n_m", "rop_mean_m_per_s",
+                                                                                    "rotary_speed_mean_rad_per_s", "imbalance")]
+        sweep.set_labels(made)
+        self.assertEqual([c.label for c in made], ["mean weight on bit [kN]", "mean torque on bit [kN m]", "mean rate of penetration [m/h]",
+                                                   "mean rotary speed [rpm]", "imbalance"])
+        shown = [sweep.in_drawn_units(c).values[0] for c in made]
+        np.testing.assert_allclose(shown, [2.0, 2.0, 7.2e6, 2000.0 * 30.0 / np.pi, 2000.0])
+
     def test_one_factor_has_a_line_with_points_of_each_figure(self):
         table = grid([3.0, 1.0, 2.0], figures=2)
         self.assertEqual(list(sweep.pictures(table)), ["curves"])
         [line] = sweep.curves(table).axes[1].get_lines()
         np.testing.assert_array_equal(line.get_xydata(), [[1.0, 2.0], [2.0, 4.0], [3.0, 6.0]])
-        self.assertEqual(sweep.curves(table).axes[0].get_ylabel(), "rate of penetration 0 [m/s]")
+        self.assertEqual(sweep.curves(table).axes[0].get_ylabel(), "rate of penetration 0 [m/h]")
 
     def test_without_a_map_the_reason_is_given(self):
         many = list(range(7))
