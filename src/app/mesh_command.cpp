@@ -2,10 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include "app/arguments.hpp"
 #include "app/terminal.hpp"
+#include "bit/files/file_checks.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
@@ -40,7 +42,10 @@ struct MeshChoices {
 };
 
 /// The largest numbers of lines that are printed about solids, and about holes.
-constexpr std::size_t most_rows = 40, most_holes = 12;
+constexpr std::size_t most_rows = 10, most_holes = 12;
+
+/// The usual longest side of a rock.
+constexpr bit::SizeRange rock_along{"the rock of a case", 5e-3, 5.0};
 
 double length(const std::string& option, const std::string& text) {
   return option_quantity(option, text, "m", Range::non_negative(), "a length");
@@ -82,18 +87,25 @@ void write(const MeshChoices& choices, const std::vector<Solid>& solids) {
   print_out("wrote {} in {}\n", choices.output, unit.name);
 }
 
+/// A length as text in mm with four decimals, or in um if these would hide it.
+std::string edge_text(double metres) {
+  constexpr double visible = 0.01e-3;
+  return metres > 0.0 && metres < visible ? fmt::format("{:.3g} um", 1e6 * metres)
+                                          : fmt::format("{:.4f}", 1e3 * metres);
+}
+
 const char* yes_or_no(bool is) { return is ? "yes" : "no"; }
 
 void print_row(const Solid& solid) {
   const mesh::Inspection i = mesh::inspect(solid.mesh);
   const Vec3 size = 1e3 * i.box.size();
   print_out(
-      "{:<24} {:>8} {:>8} {:>6} {:>6} {:>8} {:>8} {:>13.3f} {:>9.3f} {:>9.3f} {:>9.3f} {:>8.4f} "
-      "{:>8.4f} {:>8.4f} {:>7.4f} {:>5}\n",
+      "{:<24} {:>8} {:>8} {:>6} {:>6} {:>8} {:>8} {:>13.3f} {:>9.3f} {:>9.3f} {:>9.3f} {:>8} "
+      "{:>8} {:>8} {:>7.4f} {:>5}\n",
       solid.name, i.vertices, i.facets, i.pieces, yes_or_no(i.is_closed()),
       yes_or_no(i.is_oriented()), yes_or_no(i.is_manifold()), 1e9 * i.volume, size.x(), size.y(),
-      size.z(), 1e3 * i.shortest_edge, 1e3 * i.mean_edge, 1e3 * i.longest_edge, i.worst_quality,
-      i.intersecting_pairs);
+      size.z(), edge_text(i.shortest_edge), edge_text(i.mean_edge), edge_text(i.longest_edge),
+      i.worst_quality, i.intersecting_pairs);
 }
 
 void print_table(const std::vector<Solid>& solids) {
@@ -122,23 +134,26 @@ std::string sheet_advice(const MeshChoices& choices, const std::vector<Solid>& s
       choices.file);
 }
 
-/// Prints the table, and rejects solids that are unsuitable for a bit. The rock of a run is an open
-/// sheet and therefore not checked.
+/// Prints the table. For solids that are unsuitable for a bit, prints the faults and advice before
+/// it and returns 2. The rock of a run is an open sheet and therefore not checked.
 int inspect(const MeshChoices& choices, const std::vector<Solid>& solids) {
-  print_table(solids);
   if (const auto stamp = simulation::read_stamp(choices.file)) {
+    print_table(solids);
     print_out(
         "the rock of a run after {} steps, t = {:.6g} s: a sheet, which bounds no volume; its file "
         "is in metres\n",
         stamp->step, stamp->time);
     return 0;
   }
+  std::string faults;
   try {
     require_sound(choices, solids);
   } catch (const InputError& e) {
-    throw InputError(e.what() + sheet_advice(choices, solids));
+    faults = e.what() + sheet_advice(choices, solids);
+    fmt::print(stderr, "tdbd: {}\n", faults);
   }
-  return 0;
+  print_table(solids);
+  return faults.empty() ? 0 : 2;
 }
 
 void require_output(const MeshChoices& choices) {
@@ -257,6 +272,9 @@ int inspect_sheet(const MeshChoices& choices, const mesh::LengthUnit& unit) {
   print_openings(m);
   change_sheet(choices, m);
   require_sheet(choices, m);
+  const std::string question =
+      bit::unit_question(mesh::bounding_box(m).size().maxCoeff(), unit.metres, rock_along);
+  if (!question.empty()) print_warning(fmt::format("{}: {}", choices.file, question));
   const std::vector<Solid> sheet = {{"sheet", m}};
   if (choices.writes()) write(choices, sheet);
   print_table(sheet);

@@ -226,6 +226,19 @@ def check_rock_of_a_run(folder):
     refused(tdbd("mesh", bare), "hole", "tdbd mesh --sheet inspects it")
 
 
+def check_many_solids(folder):
+    """Of many solids a few are listed, the faults before them; an edge that four decimals would hide is in micrometres."""
+    many = folder / "many.stl"
+    many.write_text("".join(solid(f"s-{k}", SIDES[:-1]) for k in range(40)))
+    both = subprocess.run([PROGRAM, "mesh", str(many)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True).stdout.splitlines()
+    assert both[0].startswith("tdbd: ") and len([line for line in both if line.startswith(("s-", "solid ", "and "))]) == 12, both
+    refused(tdbd("mesh", many), "hole: 3 times", "to try a repair: tdbd mesh")
+    short = [*CUBE[:-1], (0, 0.00035, 40)]
+    (folder / "short.stl").write_text(solid("short", SIDES, short))
+    row = tdbd("mesh", folder / "short.stl").stdout.splitlines()[1]
+    assert "40.000  0.35 um  45.8479" in row, row
+
+
 def sheet_obj(z=0.0, holes=(), flipped=False, cells=8):
     """A square sheet of 40 mm that faces against z; every hole is a cell, (column, row)."""
     side = cells + 1
@@ -248,7 +261,7 @@ def check_sheets(folder):
     assert told.returncode == 0 and "rim of 32 edges, 56.57 mm across, at (20.0000, 20.0000, 0.0000) mm" in told.stdout, told
     bad.write_text(sheet_obj(z=1, holes=((2, 2), (6, 1)), flipped=True))
     told = tdbd("mesh", bad, "--sheet")
-    refused(told, "not one boundary loop: 3 loops", "--fill-holes fills the holes inside the rim")
+    refused(told, "wrong number of boundary loops: found 3, expected 1", "--fill-holes fills the holes inside the rim")
     assert told.stdout.count("hole of 4 edges, 7.071 mm across, at (") == 2, told
     assert "(12.5000, 12.5000, 1.0000) mm" in told.stdout and "(32.5000, 7.5000, 1.0000) mm" in told.stdout, told
     refused(tdbd("mesh", bad, "--fill-holes"), "--output: found no file")
@@ -261,6 +274,11 @@ def check_sheets(folder):
         assert done.returncode == 0 and f"wrote {out} in mm" in done.stdout, done
         told = tdbd("mesh", out, "--sheet")
         assert told.returncode == 0 and f"20.0000, {z}.0000) mm" in told.stdout, told
+    assert told.stderr == "", told
+    small = tdbd("mesh", good, "--sheet", "--unit", "0.01 mm")
+    assert small.returncode == 0, small
+    assert "warning: " in small.stderr and ("a size of 0.4 mm, where the rock of a case has 5 to 5000 mm: is it in mm (unit = \"1 mm\": 40 mm)"
+                                            in small.stderr), small
     (folder / "two.obj").write_text(sheet_obj(holes=((2, 2), (4, 4), (4, 5))))
     assert "hole of 6 edges" in tdbd("mesh", folder / "two.obj", "--sheet").stdout
 
@@ -329,5 +347,5 @@ def check_stated_units(folder):
 with tempfile.TemporaryDirectory() as name:
     test_folder = pathlib.Path(name)
     for check in (check_inspection, check_repairs, check_refused_repairs, check_grading, check_growth, check_usual_grading, check_units,
-                  check_densities, check_round_trips, check_rock_of_a_run, check_sheets, check_cracks, check_stated_units):
+                  check_densities, check_round_trips, check_rock_of_a_run, check_many_solids, check_sheets, check_cracks, check_stated_units):
         check(test_folder)

@@ -159,7 +159,8 @@ void find_isolated_vertices(const TriangleMesh& m, const std::vector<int>& fans,
 void find_wrong_topology(const TriangleMesh& m, const std::vector<Side>& sides, Defects& found) {
   const Topology t = topology(m, sides);
   if (t.pieces != 1) found.push_back({Kind::several_pieces, fmt::format("{} pieces", t.pieces)});
-  if (t.loops != 1) found.push_back({Kind::boundary_loops, fmt::format("{} loops", t.loops)});
+  if (t.loops != 1)
+    found.push_back({Kind::boundary_loops, fmt::format("found {}, expected 1", t.loops)});
   if (t.euler != 1)
     found.push_back({Kind::euler_characteristic, fmt::format("V - E + F = {}, not 1", t.euler)});
 }
@@ -231,7 +232,7 @@ std::string name(Defect::Kind kind) {
     case Kind::several_pieces:
       return "not one connected surface";
     case Kind::boundary_loops:
-      return "not one boundary loop";
+      return "wrong number of boundary loops";
     case Kind::euler_characteristic:
       return "not a disk";
     case Kind::inside_out:
