@@ -7,6 +7,7 @@
 #include <complex>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <unsupported/Eigen/FFT>
 
@@ -106,7 +107,28 @@ std::string at_frequency(const char* before, double frequency) {
   return frequency > 0.0 ? fmt::format("{} at {:.3g} Hz", before, frequency) : "";
 }
 
-std::string text_of(const Diagnosis& d) {
+/// The revolutions of a run that is too short to show vibrations, less than one. Nothing for a
+/// bit that hardly turns, that turns to and fro, that sticks or is off bottom: a longer run is
+/// alike.
+std::optional<double> too_few_revolutions(const Trace& t, const Diagnosis& d) {
+  constexpr double often_stuck = 0.05, steadiness = 0.5, least = 1e-3;  // rad/s
+  double net = 0.0, all = 0.0;
+  for (const double w : t.rotary_speed) {
+    net += w * t.dt;
+    all += std::abs(w) * t.dt;
+  }
+  const double time = t.dt * static_cast<double>(t.rotary_speed.size());
+  const double revolutions = all / (2.0 * std::numbers::pi);
+  if (revolutions >= 1.0 || std::abs(net) < steadiness * all || all < least * time ||
+      d.stuck_share >= often_stuck || d.lost_contact_share == 1.0)
+    return std::nullopt;
+  return revolutions;
+}
+
+std::string text_of(const Diagnosis& d, const std::optional<double>& too_few) {
+  if (too_few)
+    return fmt::format("too short to judge: {:.2g} revolutions, at least one is required",
+                       *too_few);
   constexpr double bouncing = 0.01, swinging = 0.5;
   std::string text;
   const auto add = [&text](const std::string& s) { text += (text.empty() ? "" : "; ") + s; };
@@ -195,7 +217,7 @@ Diagnosis diagnose(const Trace& t, double torque) {
   d.orbit_radius = std::sqrt(o.square);
   d.orbit_frequency = o.turned / (2.0 * std::numbers::pi * time);
   d.whirl = whirl_of(o, o.turned / time, speed);
-  d.text = text_of(d);
+  d.text = text_of(d, too_few_revolutions(t, d));
   return d;
 }
 

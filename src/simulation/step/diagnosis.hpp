@@ -67,7 +67,7 @@ inline constexpr double severe_stick_slip = 0.5;  ///< limit of stick_slip_sever
 /// resists the mean rotation, and at least half of the rotation is in one direction. Otherwise the
 /// severity and the stuck share are 0, and a varying rotary speed is torsional vibration. Both use
 /// the last whole cycles of the torsional frequency, because the mean speed over two and a half
-/// cycles would be biased.
+/// cycles would be biased. With less than one revolution the text is "too short to judge".
 Diagnosis diagnose(const Trace& trace, double torque);
 
 /// Dominant frequency of equally spaced samples about their mean, Hz: the peak of the spectrum with

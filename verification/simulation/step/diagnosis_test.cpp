@@ -72,6 +72,20 @@ TEST(Diagnosis, does_not_depend_on_where_the_record_ends_within_a_cycle) {
   }
 }
 
+/// Half a revolution that starts from rest; half a revolution that sticks has a diagnosis.
+TEST(Diagnosis, of_less_than_a_revolution_is_that_the_run_is_too_short) {
+  Trace t;
+  t.dt = 1e-3;
+  for (int i = 0; i < 500; ++i) {
+    t.rotary_speed.push_back(two_pi * (1.0 + 0.9 * std::sin(two_pi * 4e-3 * i)));
+    t.wob.push_back(1e4);
+    t.centre_W.emplace_back(0.0, 0.0);
+  }
+  EXPECT_EQ(diagnose(t, 1e3).text, "too short to judge: 0.5 revolutions, at least one is required");
+  for (int i = 0; i < 250; ++i) t.rotary_speed[static_cast<std::size_t>(2 * i)] = 0.0;
+  EXPECT_NE(diagnose(t, 1e3).text.find("stick-slip"), std::string::npos);
+}
+
 TEST(Diagnosis, finds_lost_contact) {
   Made m;
   m.wob = [](double t) { return std::max(0.0, 1e4 * std::sin(two_pi * 7.3 * t)); };
@@ -141,7 +155,7 @@ TEST(Diagnosis, of_a_bit_at_rest_is_steady) {
 /// Of too few steps for a spectrum.
 TEST(Diagnosis, names_no_frequency_where_none_is_known) {
   Trace t;
-  t.dt = dt;
+  t.dt = 1.0;
   t.wob = {0.0, 1e4, 0.0, 1e4};
   t.rotary_speed = {0.0, speed, 0.0, speed};
   t.centre_W.assign(4, Eigen::Vector2d::Zero());
