@@ -260,7 +260,7 @@ def cycle_of(m, fall, step):
     sticks, slips = switches(time, speed)
     row = {"weakening speed, mm/s": fall, "step, ms": step, "stick, s": slips[1] - sticks[1], "slip, s": sticks[1] - slips[0],
            "period, s": sticks[2] - sticks[1], "peak over mean": speed[time > slips[0]].max() / SPEED,
-           "least weight, kN": 1e-3 * weight.min(), "most weight, kN": 1e-3 * weight.max(), "unsettled": run.summary["counters"]["standing"]["unsettled"]}
+           "least weight, kN": 1e-3 * weight.min(), "most weight, kN": 1e-3 * weight.max(), "unsettled": run.summary["counters"]["implicit_forces"]["unsettled"]}
     chosen = (time > slips[0] - 0.2) & (time < slips[1] + 0.2)
     return row, time[chosen] - slips[0], speed[chosen] / SPEED
 

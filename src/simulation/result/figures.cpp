@@ -163,7 +163,7 @@ Json energy_order_json(const EnergyOrder& o) {
           {"residuals_j", o.residual.residuals}};
 }
 
-Json standing_json(const ImplicitStatistics& s) {
+Json implicit_forces_json(const ImplicitStatistics& s) {
   return {{"steps", s.steps}, {"unsettled", s.unsettled}, {"most_rounds", s.most_rounds}};
 }
 

@@ -54,9 +54,9 @@ nlohmann::ordered_json energy_json(const DriveFigures& figures);
 /// no order.
 nlohmann::ordered_json energy_order_json(const EnergyOrder& order);
 
-/// Returns "standing" of the counters of summary.json: the number of steps whose forces were solved for implicitly
-/// together with the velocity, how many of these iterations did not converge, and the longest one.
-nlohmann::ordered_json standing_json(const ImplicitStatistics& standing);
+/// Returns "implicit_forces" of the counters of summary.json: steps whose forces were solved for
+/// together with the velocity, how many of these did not converge, and the longest search.
+nlohmann::ordered_json implicit_forces_json(const ImplicitStatistics& statistics);
 
 /// Returns "diagnosis" of summary.json: measured and expected frequencies.
 nlohmann::ordered_json diagnosis_json(const Diagnosis& diagnosis, const Expected& expected);

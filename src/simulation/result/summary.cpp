@@ -73,7 +73,7 @@ Json numerical_json(const RunSummary& s) {
 /// Numbers of events, most of which are 0 in a good run.
 Json counters_json(const RunSummary& s) {
   Json counters{{"maintenance", s.maintenance}};
-  if (s.drive) counters["standing"] = standing_json(s.drive->standing);
+  if (s.drive) counters["implicit_forces"] = implicit_forces_json(s.drive->standing);
   if (!s.faces.empty())
     counters["sections_refused"] = {{"deep_in_rock", s.sections_refused_deep},
                                     {"over_the_top", s.sections_refused_over_the_top}};
