@@ -153,9 +153,8 @@ void print_curve_table(const sweep::CurveResult& result) {
   if (rows > most_rows) print_out("... and {} more rows in curve.csv\n", rows - most_rows);
 }
 
-/// Prints the warnings, the table, and the weights for the rate.
-void print_curve(const sweep::CurvePlan& plan, const sweep::CurveResult& result,
-                 const fs::path& folder) {
+/// Prints the warnings of a curve, also with --quiet.
+void print_curve_warnings(const sweep::CurveResult& result) {
   if (result.same_in_all_rocks)
     print_warning(
         "the force law of the cutters ignores the strength of the rock: the curves of the rocks "
@@ -165,6 +164,11 @@ void print_curve(const sweep::CurvePlan& plan, const sweep::CurveResult& result,
       if (!p.message.empty())
         print_warning(
             fmt::format("{} at {:.4g} N failed: {}", curve.rock, p.weight_set, p.message));
+}
+
+/// Prints the table, and the weights for the rate.
+void print_curve(const sweep::CurvePlan& plan, const sweep::CurveResult& result,
+                 const fs::path& folder) {
   print_curve_table(result);
   if (plan.rate)
     for (const sweep::Curve& curve : result.curves)
@@ -200,10 +204,9 @@ int draw_up_curve(const CurveArguments& a) {
   }
   write_text(folder / "curve.csv", sweep::curve_csv(result));
   if (plan.rate) write_text(folder / "rates.csv", sweep::rates_csv(plan, result));
-  if (!a.quiet) {
-    progress.finish();
-    print_curve(plan, result, folder);
-  }
+  if (!a.quiet) progress.finish();
+  print_curve_warnings(result);
+  if (!a.quiet) print_curve(plan, result, folder);
   return exit_code_of(plan, result);
 }
 

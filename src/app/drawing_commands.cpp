@@ -136,10 +136,11 @@ void add_draw(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("draw", "Draw a result as pictures (PNG, SVG)");
   auto a = std::make_shared<DrawArguments>();
   command
-      ->add_option("results", a->results,
-                   "a result folder of run, rotate, string, converge or calibrate, or the table of "
-                   "a sweep (NAME.nc); several folders of rotate or converge: one work-precision "
-                   "diagram")
+      ->add_option(
+          "results", a->results,
+          "a result folder of run, rotate, string, converge, calibrate or curve, or the table "
+          "of a sweep (NAME.nc); several folders of rotate or converge: one work-precision "
+          "diagram")
       ->required()
       ->type_name("FILE.nc");
   command
@@ -180,7 +181,7 @@ void add_report(CLI::App& app, int& exit_code) {
       app.add_subcommand("report", "Make a printable page of a result: numbers and pictures");
   auto a = std::make_shared<DrawArguments>();
   add_result(*command, *a,
-             "a result folder of run, rotate, string, converge, calibrate or bit --report");
+             "a result folder of run, rotate, string, converge, calibrate, curve or bit --report");
   command->add_option("-o,--output", a->output, "the page; default: FOLDER/report.html")
       ->type_name("FILE.html");
   command->footer(

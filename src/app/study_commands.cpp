@@ -157,7 +157,7 @@ std::string correlation_text(double rho) {
   return std::isfinite(rho) ? fmt::format("{:.2f}", rho) : "unknown (fewer than three values)";
 }
 
-/// Prints how well a filter follows the results, with a warning if it hardly does.
+/// Prints how well a filter follows the results.
 void print_filter(const sweep::FilterReport& f) {
   if (f.unchanged_message.empty())
     print_out("unchanged case: {} {:.4g}, {} {:.4g}", f.figure, f.unchanged_figure, f.filter,
@@ -171,24 +171,19 @@ void print_filter(const sweep::FilterReport& f) {
       "finds best\n",
       f.filter, f.figure, correlation_text(f.of_all), f.points, correlation_text(f.of_best),
       f.best);
-  if (std::abs(f.of_all) < sweep::weak_correlation)
-    print_warning(fmt::format(
-        "{} hardly follows {}: the filter may have rejected better points; raise filter.keep or "
-        "filter.samples",
-        f.filter, f.figure));
 }
 
-void print_result(const sweep::Design& d, const sweep::SweepResult& r, const fs::path& table) {
+/// Prints the warnings of a sweep, also with --quiet.
+void print_sweep_warnings(const sweep::SweepResult& r) {
   if (r.failed > 0)
     print_warning(fmt::format("{} of {} points failed, the first with: {}", r.failed, r.done,
                               r.first_failure));
-  if (!r.written)
-    return print_out(
-        "{} of {} points are done{}\n", r.done, r.points,
-        r.interrupted ? "; repeat the command to continue" : "; the last shard writes the table");
-  print_out("{} points done, {} of them before{}\n", r.points, r.found,
-            d.goals.empty() ? "" : fmt::format("; {} on the front", r.on_front));
-  if (r.filter) print_filter(*r.filter);
+  if (!r.written) return;
+  if (r.filter && std::abs(r.filter->of_all) < sweep::weak_correlation)
+    print_warning(fmt::format(
+        "{} hardly follows {}: the filter may have rejected better points; raise filter.keep or "
+        "filter.samples",
+        r.filter->filter, r.filter->figure));
   if (r.without_values > 0)
     print_warning(fmt::format(
         "{} of {} points have a figure without a value (nan); a mean has none if the run ends "
@@ -198,6 +193,16 @@ void print_result(const sweep::Design& d, const sweep::SweepResult& r, const fs:
     print_warning(
         fmt::format("the means of {} of {} points are not steady (column steady): run longer",
                     r.unsteady, r.done));
+}
+
+void print_result(const sweep::Design& d, const sweep::SweepResult& r, const fs::path& table) {
+  if (!r.written)
+    return print_out(
+        "{} of {} points are done{}\n", r.done, r.points,
+        r.interrupted ? "; repeat the command to continue" : "; the last shard writes the table");
+  print_out("{} points done, {} of them before{}\n", r.points, r.found,
+            d.goals.empty() ? "" : fmt::format("; {} on the front", r.on_front));
+  if (r.filter) print_filter(*r.filter);
   print_out("table in {}; to draw it: tdbd draw {}\n", table.string(), table.string());
 }
 
@@ -215,10 +220,9 @@ int sweep_points(const SweepArguments& a) {
       if (progress.is_due(done, total)) progress.show(done, total, "  points");
     };
   const sweep::SweepResult r = sweep::run_sweep(d, options);
-  if (!a.quiet) {
-    progress.finish();
-    print_result(d, r, table);
-  }
+  if (!a.quiet) progress.finish();
+  print_sweep_warnings(r);
+  if (!a.quiet) print_result(d, r, table);
   return r.interrupted ? interrupted_code : 0;
 }
 
@@ -267,10 +271,8 @@ int calibrate(const CalibrateArguments& a) {
       if (done == total) progress.finish();
     };
   const calibration::Calibration found = calibration::calibrate_into(c, options);
-  if (a.quiet) return 0;
-  for (const std::string& warning : found.warnings)
-    fmt::print(stderr, "tdbd: warning: {}\n", warning);
-  print_out("{}results in {}\n", calibration::answer_text(c, found), folder.string());
+  for (const std::string& warning : found.warnings) print_warning(warning);
+  if (!a.quiet) print_out("{}results in {}\n", calibration::answer_text(c, found), folder.string());
   return 0;
 }
 

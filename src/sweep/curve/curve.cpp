@@ -241,6 +241,11 @@ std::string point_in_words(const CurvePoint& p) {
   return fmt::format("{} at {}", rate_in_words(p.rop), weight_in_words(p.weight_set));
 }
 
+/// A mark behind the numbers of a run whose means drift.
+const char* steady_mark(const CurvePoint& p) {
+  return p.steady == Steady::no ? "; its means are not steady: run longer" : "";
+}
+
 /// The rate of a point with its interval.
 std::string with_interval(const CurvePoint& p) {
   return std::isfinite(p.rop_interval)
@@ -274,11 +279,12 @@ std::string rate_text(const CurvePlan& plan, const Curve& curve) {
   const CurvePoint& p = curve.points[curve.nearest];
   switch (curve.end) {
     case RateEnd::found:
-      return fmt::format("{} takes {} (found {} after {} runs)", head,
-                         weight_in_words(p.weight_set), with_interval(p), curve.points.size());
+      return fmt::format("{} takes {} (found {} after {} runs{})", head,
+                         weight_in_words(p.weight_set), with_interval(p), curve.points.size(),
+                         steady_mark(p));
     case RateEnd::within_interval:
-      return fmt::format("{} takes {} (found {}: within its interval, not within the tolerance)",
-                         head, weight_in_words(p.weight_set), with_interval(p));
+      return fmt::format("{} takes {} (found {}: within its interval, not within the tolerance{})",
+                         head, weight_in_words(p.weight_set), with_interval(p), steady_mark(p));
     case RateEnd::falls:
       return fmt::format(
           "{} was not found: the rate falls from {} to {}; give --weights of the rising part, or "
@@ -348,7 +354,8 @@ std::string curve_csv(const CurveResult& result) {
 
 std::string rates_csv(const CurvePlan& plan, const CurveResult& result) {
   std::string text =
-      "rock,rate_m_per_h,result,weight_set_n,rop_mean_m_per_h,rop_interval_m_per_h,message\n";
+      "rock,rate_m_per_h,result,weight_set_n,rop_mean_m_per_h,rop_interval_m_per_h,"
+      "steady,message\n";
   for (const Curve& curve : result.curves) {
     const bool has_point = curve.end == RateEnd::found || curve.end == RateEnd::within_interval;
     text += fmt::format("{},{},{}", quoted(curve.rock), hour * plan.rate.value_or(0.0),
@@ -358,7 +365,8 @@ std::string rates_csv(const CurvePlan& plan, const CurveResult& result) {
           has_point ? hour * curve.points[curve.nearest].rop : std::nan(""),
           has_point ? hour * curve.points[curve.nearest].rop_interval : std::nan("")})
       text += "," + number_cell(x);
-    text += "," + quoted(rate_text(plan, curve)) + "\n";
+    const Steady steady = has_point ? curve.points[curve.nearest].steady : Steady::unknown;
+    text += fmt::format(",{},{}\n", sweep::name_of(steady), quoted(rate_text(plan, curve)));
   }
   return text;
 }

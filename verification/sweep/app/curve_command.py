@@ -115,6 +115,9 @@ def check_rocks(case, out):
     """A law that ignores strength has one curve, with a warning; one that does not needs more weight in the stronger rock."""
     expect(0, ["curve", case, *COARSE, "--weights", "10kN", "--strengths", "60,100MPa", "-o", out],
            "warning: the force law of the cutters ignores the strength of the rock: the curves of the rocks hardly differ")
+    again = expect(0, ["curve", case, *COARSE, "--weights", "10kN", "--strengths", "60,100MPa", "-o", out, "--quiet"],
+                   "warning: the force law of the cutters ignores the strength of the rock")
+    assert again.stdout == "", again
     rates = [float(r["rop_mean_m_per_h"]) for r in rows_of(out)]
     assert len(rates) == 2 and abs(rates[1] / rates[0] - 1) < 0.01, rates  # gage pads know the strength
     shipped = CASES / "drill-bit-b.toml"

@@ -54,6 +54,7 @@ def main():
     # a point that fails is reported, and the others are kept
     (FOLDER / "one.toml").write_text(DESIGN.replace("values = [2, 8]", "values = [2, 3]").replace("values = [0.5, 1.0, 2.0]", "values = [2.0]"))
     expect(0, ["sweep", FOLDER / "one.toml", "-o", FOLDER / "one.nc"], "warning: 1 of 2 points failed, the first with: ", "integrator.order", "2 points done")
+    assert expect(0, ["sweep", FOLDER / "one.toml", "-o", FOLDER / "one.nc", "--quiet"], "warning: 1 of 2 points failed, ").stdout == ""
 
     # what is wrong is named, and nothing is lost
     before = table.read_bytes()

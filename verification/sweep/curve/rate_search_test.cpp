@@ -134,6 +134,14 @@ TEST(Curve, states_how_the_search_ended) {
             "5 m/h at 10 kN");
   EXPECT_EQ(rate_text(plan, curve_of(RateEnd::found)),
             "shale: 15 m/h takes 10 kN (found 5 +- 0.1 m/h after 2 runs)");
+  Curve drifting = curve_of(RateEnd::found);
+  drifting.points.front().steady = Steady::no;
+  EXPECT_EQ(rate_text(plan, drifting),
+            "shale: 15 m/h takes 10 kN (found 5 +- 0.1 m/h after 2 runs; its means are not steady: "
+            "run longer)");
+  const std::string rates = rates_csv(plan, {.curves = {drifting}});
+  EXPECT_NE(rates.find("rop_interval_m_per_h,steady,message\n"), std::string::npos) << rates;
+  EXPECT_NE(rates.find(",no,"), std::string::npos) << rates;
   EXPECT_NE(
       rate_text(plan, curve_of(RateEnd::falls)).find("falls from 5 m/h at 10 kN to 9 m/h at "),
       std::string::npos);
