@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include "python/src/options.hpp"
+#include "simulation/result/extend.hpp"
 #include "simulation/result/run.hpp"
 #include "simulation/rotate/rotate_run.hpp"
 
@@ -35,10 +36,14 @@ Told run(const sim::Case& c, const std::string& folder, bool force, long threads
                  [](const sim::Case& of, const sim::RunOptions& o) { return sim::run(of, o); });
 }
 
-Told resume_run(const std::string& folder, long threads, const py::object& progress) {
-  const sim::Case c = sim::read_stopped_case(folder);
-  Watch watch(progress);
+/// Resumes drilling, with a later end if `changes` are given.
+Told resume_run(const std::string& folder, const std::vector<std::string>& changes, long threads,
+                const py::object& progress) {
   Told told;
+  const auto warn = [&](const std::string& text) { told.push_back(text); };
+  const sim::Case c =
+      changes.empty() ? sim::read_stopped_case(folder) : sim::extend_run(folder, changes, warn);
+  Watch watch(progress);
   auto options = options_for<sim::RunOptions>(folder, false, watch, told);
   options.threads = checked_threads(threads);
   return drilled(c, options, watch, told, [](const sim::Case& of, const sim::RunOptions& o) {
@@ -69,10 +74,14 @@ Told rotate(const sim::RotateCase& c, const std::string& folder, bool force,
       [](const sim::RotateCase& of, const sim::RotateOptions& o) { sim::rotate(of, o); });
 }
 
-Told resume_rotate(const std::string& folder, const py::object& progress) {
-  const sim::RotateCase c = sim::read_stopped_rotate_case(folder);
-  Watch watch(progress);
+/// Resumes a rotation, with a later end if `changes` are given.
+Told resume_rotate(const std::string& folder, const std::vector<std::string>& changes,
+                   const py::object& progress) {
   Told told;
+  const auto warn = [&](const std::string& text) { told.push_back(text); };
+  const sim::RotateCase c = changes.empty() ? sim::read_stopped_rotate_case(folder)
+                                            : sim::extend_rotate(folder, changes, warn);
+  Watch watch(progress);
   const auto options = options_for<sim::RotateOptions>(folder, false, watch, told);
   return rotated(
       c, options, watch, told,
@@ -84,9 +93,9 @@ Told resume_rotate(const std::string& folder, const py::object& progress) {
 void add_runs(py::module_& m) {
   using py::arg;
   m.def("run", &run, arg("case"), arg("folder"), arg("force"), arg("threads"), arg("progress"));
-  m.def("resume_run", &resume_run, arg("folder"), arg("threads"), arg("progress"));
+  m.def("resume_run", &resume_run, arg("folder"), arg("changes"), arg("threads"), arg("progress"));
   m.def("rotate", &rotate, arg("case"), arg("folder"), arg("force"), arg("progress"));
-  m.def("resume_rotate", &resume_rotate, arg("folder"), arg("progress"));
+  m.def("resume_rotate", &resume_rotate, arg("folder"), arg("changes"), arg("progress"));
   m.def(
       "tidy_if_finished", [](const std::string& folder) { return sim::tidy_if_finished(folder); },
       arg("folder"));

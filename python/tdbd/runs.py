@@ -2,10 +2,12 @@
 
 import os
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import Any
 
 from tdbd import _core
+from tdbd.arguments import assignments
 from tdbd.cases import Case, of_kind
 from tdbd.errors import CaseWarning, in_python_words
 from tdbd.results import RotationResult, RunResult, load
@@ -44,15 +46,18 @@ def rotate(case: Case | Folder, folder: Folder | None = None, *, force: bool = F
     return RotationResult(path, keep)
 
 
-def resume(folder: Folder, *, threads: int = 1, progress: Progress | None = None) -> RunResult | RotationResult:
+def resume(folder: Folder, set: Mapping[str, Any] | None = None, *, threads: int = 1, progress: Progress | None = None,
+           **keys: Any) -> RunResult | RotationResult:
     """Resumes an interrupted run or rotation. The result is bitwise identical to that of an uninterrupted one.
 
-    A complete result is returned unchanged.
+    A complete result is returned unchanged, unless a later end is given: `time__duration="20 s"`, or of a
+    run `time__revolutions=20` or `output__means_from="5 s"`. These are written as in `tdbd.case`. A complete
+    run continues from its last checkpoint, a complete rotation is computed again from its start.
     """
-    path = os.fspath(folder)
-    if not _core.tidy_if_finished(path):
+    path, changes = os.fspath(folder), assignments(set, keys)
+    if not _core.tidy_if_finished(path) or changes:
         if _core.kind_of(str(Path(path) / "case.toml"), []) == "rotation":
-            _warn(_core.resume_rotate(path, progress))
+            _warn(_core.resume_rotate(path, changes, progress))
         else:
-            _warn(_core.resume_run(path, threads, progress))
+            _warn(_core.resume_run(path, changes, threads, progress))
     return load(path)

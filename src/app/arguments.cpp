@@ -144,13 +144,12 @@ void add_result_options(CLI::App& command, ResultArguments& a, const ResultHelp&
   command.add_flag("--quiet", a.quiet, help.quiet);
 }
 
-void add_resume(CLI::App& command, ResultArguments& a, LaterEnd later_end) {
+void add_resume(CLI::App& command, ResultArguments& a) {
   CLI::Option* resumed = command.add_option(
       "--resume", a.resumed, "resume the interrupted run in this folder (instead of a case)");
   resumed->type_name(a_folder);
   command.get_option("case")->required(false)->excludes(resumed);
   for (const char* other : {"--output", "--force"}) command.get_option(other)->excludes(resumed);
-  if (later_end == LaterEnd::no) command.get_option("--set")->excludes(resumed);
 }
 
 int begin_or_resume(const ResultArguments& a, const std::function<int()>& begin,

@@ -110,12 +110,9 @@ void add_case(CLI::App& command, ResultArguments& a, const ResultHelp& help);
 /// Adds -o, --set, --force and --quiet.
 void add_result_options(CLI::App& command, ResultArguments& a, const ResultHelp& help);
 
-/// Whether --set can give a resumed run a later end.
-enum class LaterEnd { no, yes };
-
-/// Adds --resume, which replaces the case and the options that belong to one. Call it after the
-/// functions that add these.
-void add_resume(CLI::App& command, ResultArguments& a, LaterEnd later_end = LaterEnd::no);
+/// Adds --resume, which replaces the case and the options that belong to one; --set gives a resumed
+/// run a later end. Call it after the functions that add these.
+void add_resume(CLI::App& command, ResultArguments& a);
 
 /// Calls begin() for a case or resume() for a folder, or does nothing if the folder has a complete
 /// result and --set is not given. Both functions return the exit code.

@@ -120,7 +120,7 @@ void add_run(CLI::App& app, int& exit_code) {
   add_threads(*command, a->threads);
   command->add_flag("--field-units", a->field_units,
                     "print the answer in lbf, ft lbf, ft/h, psi and in; files stay in SI");
-  add_resume(*command, *a, LaterEnd::yes);
+  add_resume(*command, *a);
   command->footer(
       "The keys of a case: tdbd keys.\n"
       "With the table [wear] the cutters of a bit wear over hundreds of metres "
@@ -183,7 +183,9 @@ int rotate(const ResultArguments& a) {
 }
 
 int resume(const ResultArguments& a) {
-  const simulation::RotateCase c = simulation::read_stopped_rotate_case(a.resumed);
+  const simulation::RotateCase c =
+      a.overrides.empty() ? simulation::read_stopped_rotate_case(a.resumed)
+                          : simulation::extend_rotate(a.resumed, a.overrides, print_warning);
   return show(a, c,
               [&](const simulation::RotateOptions& o) { return simulation::resume_rotate(c, o); });
 }
@@ -206,6 +208,8 @@ void add_rotate(CLI::App& app, int& exit_code) {
       "immediately.\n"
       "With --resume an interrupted run continues; its results equal those of an uninterrupted "
       "run.\n"
+      "With --set time.duration='20 s' as well, it ends then; a complete one is computed again "
+      "from its start.\n"
       "Example: tdbd rotate cases/slow-top.toml -o out/top --set integrator.order=4");
   command->callback([a, &exit_code] {
     exit_code = guarded([&] {

@@ -65,6 +65,18 @@ class Interrupts(FolderTest):
     def test_a_rotation_is_resumed(self):
         self.goes_on(tdbd.case(TOP, time__duration="1e5 s"), tdbd.rotate)
 
+    def test_a_run_and_a_rotation_have_a_later_end(self):
+        for begin, case, end in ((tdbd.run, tdbd.case(DRILLING, set=COARSE | {"time.revolutions": 0.2, "output.checkpoint_every": 5}),
+                                  {"time__revolutions": 0.4}),
+                                 (tdbd.rotate, tdbd.case(TOP, time__duration="10 s"), {"time__duration": "20 s"})):
+            with self.subTest(begin.__name__):
+                short = self.folder / f"short-{begin.__name__}"
+                begin(case, short)
+                whole = begin(tdbd.case(short / "case.toml", **end), self.folder / f"long-{begin.__name__}")
+                self.assertEqual(tdbd.resume(short, **end).summary["status"], "completed")
+                self.same_files(whole.folder, short)
+                self.assertRaises(tdbd.CaseError, tdbd.resume, short, time__step="1 ms")
+
 
 if __name__ == "__main__":
     unittest.main(warnings="ignore")

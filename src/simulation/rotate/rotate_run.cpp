@@ -1,7 +1,17 @@
 #include "simulation/rotate/rotate_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <memory>
+#include <optional>
+#include <string_view>
 #include <utility>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "io/output_folder.hpp"
+#include "io/whole_file.hpp"
 
 namespace tdbd::simulation {
 namespace {
@@ -64,6 +74,69 @@ RotateOutcome resume_rotate(const RotateCase& c, const RotateOptions& o) {
 
 RotateCase read_stopped_rotate_case(const std::filesystem::path& folder) {
   return read_rotate_case(stopped_case(folder, Stopped::rotate).string(), {});
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view end_key = "time.duration";
+
+void require_end_only(const fs::path& folder, const std::vector<std::string>& overrides) {
+  for (const std::string& o : overrides)
+    if (const std::string_view key = trimmed(std::string_view(o).substr(0, o.find('=')));
+        key != end_key)
+      throw InputError(fmt::format(
+          "--set: found {} for a rotation that is resumed, expected {}; its other settings are "
+          "those of {}",
+          key, end_key, (folder / "case.toml").string()));
+}
+
+/// `least`: completed steps, of which a complete rotation has all.
+void require_later_end(const RotateCase& longer, const RotateCase& before, long least) {
+  if (longer.time.step == before.time.step && longer.time.steps >= least &&
+      (longer.time.steps > least || least < before.time.steps))
+    return;
+  throw InputError(
+      fmt::format("--set: {}: found {:.6g} s, expected a whole number of steps of {:.6g} s and an "
+                  "end after the "
+                  "{:.6g} s that the rotation has made",
+                  end_key, longer.time.duration, before.time.step,
+                  before.time.step * static_cast<double>(least)));
+}
+
+}  // namespace
+
+RotateCase extend_rotate(const fs::path& path, const std::vector<std::string>& overrides,
+                         const CheckpointKeeper::Warn& warn) {
+  require_end_only(path, overrides);
+  const fs::path file = stopped_case(path, Stopped::rotate);
+  const RotateCase before = read_rotate_case(file.string(), {});
+  RotateCase longer = read_rotate_case(file.string(), overrides);
+  const OutputFolder folder{path, std::make_shared<FolderLock>(path)};
+  std::optional<RotateCheckpoint> saved;
+  // If the program was killed in this function, the checkpoint belongs to the new case already.
+  const auto read = [&](const fs::path& checkpoint) {
+    try {
+      saved = read_rotate_checkpoint(checkpoint, longer);
+    } catch (const InputError&) {
+      saved = read_rotate_checkpoint(checkpoint, before);
+    }
+    return saved->steps_done();
+  };
+  const bool is_complete = tidy_if_finished(path);
+  if (!is_complete) read_newest_checkpoint(folder, read, warn);
+  require_later_end(longer, before,
+                    is_complete ? before.time.steps
+                    : saved     ? saved->steps_done()
+                                : 0);
+  if (saved) {
+    write_rotate_checkpoint(folder.new_checkpoint(), longer, saved->simulation, saved->written);
+    fs::rename(folder.new_checkpoint(), folder.checkpoint());
+  }
+  write_text(file, std::string(resolved_head) + "\n" + longer.resolved);
+  forget_end(folder);
+  return longer;
 }
 
 }  // namespace tdbd::simulation

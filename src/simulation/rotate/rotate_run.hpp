@@ -55,4 +55,18 @@ RotateOutcome resume_rotate(const RotateCase& c, const RotateOptions& options);
 /// Returns the case with which the rotation in a folder was begun. Throws like stopped_case.
 RotateCase read_stopped_rotate_case(const std::filesystem::path& folder);
 
+/// Gives a rotation that was stopped, or that is complete, a later end, and returns its new case,
+/// with which resume_rotate continues it. An interrupted rotation continues from its checkpoint. A
+/// complete one has no checkpoint and is computed again from its start. The files of the result,
+/// except timing.json, are then bitwise identical to those of an uninterrupted rotation of the
+/// folder's case.toml with the same `overrides`: "time.duration=VALUE".
+///
+/// The newest checkpoint and case.toml are rewritten for the new case; the summary of the earlier
+/// end is removed. `warn` is called if an older checkpoint has to be used. Throws InputError, before
+/// anything is changed, for other keys, for an end before the last checkpoint or the earlier end,
+/// and for a duration that would change the time step.
+RotateCase extend_rotate(const std::filesystem::path& folder,
+                         const std::vector<std::string>& overrides,
+                         const CheckpointKeeper::Warn& warn);
+
 }  // namespace tdbd::simulation

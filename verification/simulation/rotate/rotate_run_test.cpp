@@ -87,6 +87,45 @@ TEST_F(RotateResumeOne, removes_the_end_of_the_interrupted_run) {
   for (const fs::path& file : ends) EXPECT_TRUE(fs::exists(file));
 }
 
+/// Both a rotation that was stopped and one that is complete, twice as long.
+TEST_F(RotateResumeOne, continues_to_a_later_end) {
+  const std::vector<std::string> longer{"time.duration=8"};
+  rotate(c, {.folder = whole});
+  rotate(read_rotate_case((whole / "case.toml").string(), longer),
+         {.folder = whole.parent_path() / "long"});
+  rotate_until(130, c, {.folder = folder}, false);
+  for (const fs::path& shorter : {folder, whole}) {
+    const RotateCase later = extend_rotate(shorter, longer, {});
+    EXPECT_FALSE(fs::exists(shorter / "summary.json"));
+    EXPECT_EQ(resume_rotate(later, {.folder = shorter}).status, RunStatus::completed);
+    expect_same_result_files(whole.parent_path() / "long", shorter);
+  }
+}
+
+TEST_F(RotateResumeOne, rejects_another_end_and_other_settings) {
+  rotate(c, {.folder = folder});
+  const auto refusal = [&](const std::string& change) -> std::string {
+    try {
+      extend_rotate(folder, {change}, {});
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_NE(refusal("time.step=0.5")
+                .find("--set: found time.step for a rotation that is resumed, expected "
+                      "time.duration; its other settings are those of "),
+            std::string::npos);
+  const std::string early = refusal("time.duration=2");
+  EXPECT_NE(early.find("--set: time.duration: found 2 s, expected a whole number of steps of "),
+            std::string::npos)
+      << early;
+  EXPECT_NE(early.find(" and an end after the 4 s that the rotation has made"), std::string::npos);
+  EXPECT_NE(refusal("time.duration=4"), "");
+  EXPECT_NE(refusal("time.duration=8.0001"), "");
+  EXPECT_TRUE(tidy_if_finished(folder));
+}
+
 /// A row of the last good state, independent of the interval of rows in the case.
 TEST(RotateFailure, keeps_the_state_before_it) {
   const fs::path folder = test_folder();
