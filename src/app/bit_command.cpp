@@ -197,7 +197,7 @@ void add_bit(CLI::App& app, int& exit_code) {
   command->footer(
       "Other rakes on the shoulder: --set adjust.zone.shoulder.back_rake='5 deg' (added to those "
       "of\n"
-      "the table); of some cutters: --set adjust.cutter.22-39.back_rake='5 deg'. With -o, "
+      "the table); of some cutters: --set adjust.cutter.1-6.back_rake='5 deg'. With -o, "
       "cutters.csv has\nthe changed table. "
       "`tdbd keys cutter-table` lists the columns of a table, `tdbd new bit NAME` writes one.\n"
       "Example: tdbd bit cases/bits/bit-b.toml -o out/bit-b");

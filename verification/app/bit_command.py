@@ -89,6 +89,20 @@ def check_facts():
     assert "cutter-1/face" not in shown and "359.428" not in shown, shown
 
 
+def check_export(folder):
+    """The exported files have the facts of the bit, without rounding errors such as -0.0 or 1e-14."""
+    out = folder / "facts"
+    assert tdbd(BIT, "-o", out, "--quiet").returncode == 0
+    first = tdbd(BIT, "--cutters").stdout.splitlines()
+    for name in ("bit.toml", "solids.toml"):
+        again = tdbd(out / name, "--cutters")
+        assert again.returncode == 0 and again.stderr == "", again
+        lines = [line for line in again.stdout.splitlines() if "e-1" in line or "-0.0" in line.split()]
+        assert lines == [], lines
+        kept = ("cutters: ", "blades ", "zones ", "blades: ")
+        assert [line for line in again.stdout.splitlines() if line.startswith(kept)] == [line for line in first if line.startswith(kept)], again
+
+
 def check_set(folder):
     """Rakes of the shoulder are changed on the command line, and the written table makes the same bit."""
     out = folder / "set"
@@ -102,7 +116,7 @@ def check_set(folder):
     again = tdbd(out / "again.toml")
     assert mass_line(again) == mass_line(done) and again.returncode == 0, again
     wrong = tdbd(BIT, "--set", "adjust.zone.sholder.back_rake=1 deg")
-    assert wrong.returncode == 2 and "--set: adjust.zone.sholder.back_rake: found a table of sholder, expected a zone" in wrong.stderr, wrong
+    assert wrong.returncode == 2 and "--set: adjust.zone.sholder.back_rake: found no zone sholder in the bit, expected a zone" in wrong.stderr, wrong
 
 
 def check_doubts(folder):
@@ -219,6 +233,7 @@ with tempfile.TemporaryDirectory() as name:
     check_table(folder)
     check_report(folder)
     check_facts()
+    check_export(folder)
     check_set(folder)
     check_doubts(folder)
     check_units(folder)

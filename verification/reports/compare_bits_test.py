@@ -74,6 +74,15 @@ class TwoBits(unittest.TestCase):
         self.assertEqual([side.name for side in sides], ["A: bit-a", "B: bit-a"])
         self.assertEqual({row[3] for row in compare_bits.differences(sides)}, {"0"})
 
+    def test_a_bit_does_not_differ_from_its_export(self):
+        out = self.folder / "export"
+        subprocess.run([TDBD, "bit", BITS[1], "-o", out, "--quiet"], check=True)
+        for name in ("bit.toml", "solids.toml"):
+            sides = compare_bits.read_sides([BITS[1], out / name], TDBD, OPERATION, self.folder / f"compare-{name}")
+            self.assertIn("junk slots mm²", sides[1].sums)
+            self.assertEqual(sides[1].sums["blades"], 5)
+            self.assertEqual({row[3] for row in compare_bits.differences(sides)}, {"0"}, compare_bits.differences(sides))
+
     def test_the_page_of_two_runs_has_their_loads(self):
         text = self.page(self.folder / "a", self.folder / "b")
         weights = [json.loads((self.folder / bit / "summary.json").read_text())["wob_mean_n"] for bit in "ab"]

@@ -25,8 +25,38 @@ void read_integer(const CsvRow& row, const CutterColumns& columns, std::string_v
     mistakes.add(row.line, name, '\'' + cell + '\'', "a whole number");
 }
 
+/// A number outside the range of its column.
+struct OutOfRange {
+  long line = 0;
+  std::string name, cell, expected;
+  bool is_negative = false;
+};
+
+/// Adds one line for each number, or one for a column in which many are outside.
+void add_out_of_range(const std::vector<OutOfRange>& all, CsvMistakes& mistakes) {
+  constexpr std::ptrdiff_t few = 3;
+  std::vector<std::string_view> summed_up;
+  for (const OutOfRange& first : all) {
+    const auto is_alike = [&](const OutOfRange& o) { return o.name == first.name; };
+    const auto count = std::ranges::count_if(all, is_alike);
+    if (count <= few) mistakes.add(first.line, first.name, first.cell, first.expected);
+    if (count <= few || std::ranges::count(summed_up, first.name) > 0) continue;
+    summed_up.emplace_back(first.name);
+    const bool negative = std::ranges::all_of(
+        all, [&](const OutOfRange& o) { return o.is_negative || !is_alike(o); });
+    const bool rake = first.name.starts_with("back_rake");
+    mistakes.add(
+        first.line, first.name,
+        fmt::format("{} and {} more values outside the range", first.cell, count - 1),
+        first.expected + (!negative ? ""
+                          : rake ? ": positive rakes lean back; change the sign of the column, or "
+                                   "are back and side rakes swapped?"
+                                 : ": is the sign of the column wrong?"));
+  }
+}
+
 void read_number(const CsvRow& row, const CutterColumns::Number& use, Cutter& cutter,
-                 CsvMistakes& mistakes) {
+                 std::vector<OutOfRange>& outside, CsvMistakes& mistakes) {
   const NumberColumn& column = *use.column;
   const std::string& cell = row.cells[use.cell];
   const auto number = csv_number<double>(cell);
@@ -36,11 +66,12 @@ void read_number(const CsvRow& row, const CutterColumns::Number& use, Cutter& cu
   }
   const double usual = use.unit == column.unit ? *number : *number * use.unit / column.unit;
   if (usual > column.highest && std::abs(usual) > 360.0)
-    mistakes.add(row.line, use.name, cell,
-                 fmt::format("at most {:g} {}: is the decimal point missing?", column.highest,
-                             column.unit_name));
+    outside.push_back({row.line, use.name, cell,
+                       fmt::format("at most {:g} {}: is the decimal point missing?", column.highest,
+                                   column.unit_name),
+                       false});
   else if (usual < column.lowest || usual > column.highest)
-    mistakes.add(row.line, use.name, cell, column.expected);
+    outside.push_back({row.line, use.name, cell, std::string(column.expected), usual < 0.0});
   else
     cutter.*column.member = *number * use.unit;
 }
@@ -64,16 +95,18 @@ void check_sizes(const Cutter& c, CsvMistakes& mistakes) {
 }
 
 Cutter read_cutter(const CsvRow& row, const CutterColumns& columns, const CutterDefaults& d,
-                   CsvMistakes& mistakes) {
+                   std::vector<OutOfRange>& outside, CsvMistakes& mistakes) {
   Cutter c;
   c.line = static_cast<int>(row.line);
   take_shape(c, d);
   c.zone = row.cells[columns.labels.at("zone")];
-  const auto before = mistakes.lines.size();
+  const auto count = [&] { return mistakes.lines.size() + outside.size(); };
+  const auto before = count();
   read_integer(row, columns, "cutter", c.id, mistakes);
   read_integer(row, columns, "blade", c.blade, mistakes);
-  for (const CutterColumns::Number& use : columns.numbers) read_number(row, use, c, mistakes);
-  if (mistakes.lines.size() == before) check_sizes(c, mistakes);
+  for (const CutterColumns::Number& use : columns.numbers)
+    read_number(row, use, c, outside, mistakes);
+  if (count() == before) check_sizes(c, mistakes);
   c.X_BC = cutter_pose(c);
   return c;
 }
@@ -110,6 +143,20 @@ std::string cell(double x, double unit) {
   return fmt::format("{}", value);
 }
 
+/// Records a header whose columns have another separator than commas, semicolons and tabs.
+void check_separator(const CsvRow& header, CsvMistakes& mistakes) {
+  if (header.cells.size() != 1) return;
+  const std::string& all = header.cells.front();
+  const std::pair<char, const char*> others[] = {{'|', "'|'"}, {':', "':'"}, {' ', "a space"}};
+  for (const auto& [other, name] : others)
+    if (std::ranges::count(all, other) > 1)
+      return mistakes.add(header.line, "table",
+                          fmt::format("one column, with {} in its name", name),
+                          fmt::format("columns with a separator: a comma, a semicolon or a tab "
+                                      "instead of {}",
+                                      name));
+}
+
 /// What a row with too many or too few cells probably has.
 std::string cells_found(const CsvRow& row, std::size_t expected) {
   const std::size_t n = row.cells.size();
@@ -133,19 +180,22 @@ std::vector<Cutter> read_cutter_table(const std::string& csv_path, const CutterD
   const std::vector<CsvRow> rows = read_csv_rows(csv_path);
   CsvMistakes mistakes{csv_path};
   if (rows.size() < 2) mistakes.add(1, "table", "no cutter", "a header and at least one cutter");
+  if (!rows.empty()) check_separator(rows.front(), mistakes);
   mistakes.throw_if_any();
   const CutterColumns columns = read_cutter_columns(rows.front(), mistakes);
   mistakes.throw_if_any();
   std::vector<Cutter> cutters;
+  std::vector<OutOfRange> outside;
   const std::size_t width = rows.front().cells.size();
   for (const CsvRow& row : rows) {
     if (&row == &rows.front()) continue;
     if (row.cells.size() == width)
-      cutters.push_back(read_cutter(row, columns, d, mistakes));
+      cutters.push_back(read_cutter(row, columns, d, outside, mistakes));
     else
       mistakes.add(row.line, "row", cells_found(row, width),
                    fmt::format("{}, as in the header", width));
   }
+  add_out_of_range(outside, mistakes);
   check_duplicates(cutters, mistakes);
   mistakes.throw_if_any();
   return cutters;

@@ -323,4 +323,32 @@ std::vector<TableDoubt> profile_doubts(const std::vector<Cutter>& cutters) {
   return doubts;
 }
 
+std::vector<TableDoubt> height_sign_doubts(const std::vector<Cutter>& cutters) {
+  constexpr double visible = 1e-3;  // m
+  constexpr std::size_t fewest = 2, most_share = 2, good_share = 8;
+  std::vector<Cutter> turned = cutters;
+  std::size_t count = 0;
+  for (Cutter& c : turned)
+    if (c.under_exposure == 0.0 && c.tip_height < -visible) {
+      c.tip_height = -c.tip_height;
+      ++count;
+    }
+  const Tips right = tips_along_profile(turned);
+  const std::size_t left = misfits(right);
+  if (count < fewest || count * most_share > right.size() || left * good_share > right.size() ||
+      left >= misfits(tips_along_profile(cutters)))
+    return {};
+  std::vector<TableDoubt> doubts = profile_doubts(turned);
+  for (const ProfileTip& good : right) {
+    if (turned[good.index].tip_height == cutters[good.index].tip_height) continue;
+    Tips others = right;
+    std::erase_if(others, [&](const ProfileTip& o) { return o.index == good.index; });
+    ProfileTip t = good;
+    t.h = -t.h;
+    doubts.push_back(explained(cutters, others, t,
+                               {.member = &ProfileTip::h, .value = good.h, .sign_only = true}));
+  }
+  return doubts;
+}
+
 }  // namespace tdbd::bit

@@ -36,4 +36,10 @@ std::size_t misfits(const std::vector<ProfileTip>& tips);
 /// Names the cutters that do not fit, the worst first; each is left out before the next is sought.
 std::vector<TableDoubt> profile_doubts(const std::vector<Cutter>& cutters);
 
+/// Doubts about tables in which at least two tips have negative heights, fewer than half of all, and
+/// with positive ones lie on the profile: one for each of these tips, and those of profile_doubts
+/// about the table with positive heights. Otherwise empty. Such rows fit each other and therefore
+/// would make the rows between them look wrong.
+std::vector<TableDoubt> height_sign_doubts(const std::vector<Cutter>& cutters);
+
 }  // namespace tdbd::bit

@@ -99,12 +99,12 @@ Doubts radian_doubts(const Cutters& cutters) {
 }
 
 Doubts swapped_rakes(const Cutters& cutters) {
-  constexpr double tilted = 8.0 * degree, upright = 6.0 * degree;
+  constexpr double tilted = 8.0 * degree, upright = 6.0 * degree, much_less = 0.5;
   const double back = median(cutters, [](const Cutter& c) { return std::abs(c.back_rake); });
   const double side = median(cutters, [](const Cutter& c) { return std::abs(c.side_rake); });
-  if (side < tilted || back > upright) return {};
+  if (side < tilted || back > std::max(upright, much_less * side)) return {};
   return {whole_column(
-      cutters, "side_rake_deg",
+      cutters, "back_rake_deg, side_rake_deg",
       fmt::format("side rakes of about {:.3g} deg and back rakes of about {:.3g} deg",
                   side / degree, back / degree),
       "back rakes larger than side rakes; are the columns swapped?", Severity::doubtful)};
@@ -321,7 +321,8 @@ std::vector<TableDoubt> table_doubts(const std::vector<Cutter>& cutters) {
   const std::size_t faces = tips_along_profile(cutters).size();
   if (faces < fewest || faces > most) return {};
   if (Doubts sizes = size_doubts(cutters); !sizes.empty()) return sizes;
-  Doubts doubts = column_doubts(cutters, faces);
+  Doubts doubts = height_sign_doubts(cutters);
+  if (doubts.empty()) doubts = column_doubts(cutters, faces);
   if (doubts.empty()) {
     doubts = profile_doubts(cutters);
     // A tip that is off the profile also leaves a gap and the order.

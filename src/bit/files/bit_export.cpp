@@ -42,7 +42,27 @@ std::string unit_text(const mesh::LengthUnit& unit) {
   return toml_string(has_number ? unit.name : "1 " + unit.name);
 }
 
-std::string part_text(const Part& part, const std::string& file, const mesh::LengthUnit& unit) {
+/// What the mesh of a cutter's face does not show (CutterLabels). Empty for any other part.
+std::string labels_text(const Bit& bit, const Part& part) {
+  if (part.cutter < 0 || part.kind != PartKind::face) return "";
+  const Cutter& c = bit.cutters[static_cast<std::size_t>(part.cutter)];
+  std::string text = c.blade > 0 ? fmt::format("blade = {}\n", c.blade) : "";
+  if (!c.zone.empty()) text += fmt::format("zone = {}\n", toml_string(c.zone));
+  if (c.under_exposure > 0.0) text += fmt::format("under_exposure = {}  # m\n", c.under_exposure);
+  if (c.wear > 0.0) text += fmt::format("wear = {}  # m\n", c.wear);
+  return text;
+}
+
+/// The table [body_design] of a body with blades.
+std::string body_text_of(const Bit& bit) {
+  if (!bit.blades) return "";
+  return fmt::format(
+      "\n[body_design]\nexposure = {}  # m\nslot_depth = {}  # m\njunk_slot_area = {}  # m2\n",
+      bit.blades->exposure, bit.blades->slot_depth, bit.blades->junk_slot_area);
+}
+
+std::string part_text(const Bit& bit, const Part& part, const std::string& file,
+                      const mesh::LengthUnit& unit) {
   std::string text = fmt::format(
       "\n[[parts]]\nname = {}\nkind = {}\nfile = {}\nunit = {}\ncutting = {}\n{}"
       "density = {}  # kg/m3\ngroup = {}\nposition = {}  # m\nrotation_vector = {}  # rad\n",
@@ -52,7 +72,7 @@ std::string part_text(const Part& part, const std::string& file, const mesh::Len
       toml_vector(part.X_BP.p), toml_vector(rotation::log(part.X_BP.R)));
   if (part.cutter < 0)
     text += fmt::format("update_direction = {}\n", toml_vector(part.update_direction_B));
-  return text;
+  return text + labels_text(bit, part);
 }
 
 void make_folder(const std::filesystem::path& folder) {
@@ -71,8 +91,10 @@ std::string rule_text(const Bit& bit, const Part& part, const std::string& match
   if (part.cutter < 0)
     return text + fmt::format("update_direction = {}\n", toml_vector(part.update_direction_B));
   const Pose& X_BC = bit.cutters[static_cast<std::size_t>(part.cutter)].X_BC;
-  return text + fmt::format("cutter_position = {}  # m\ncutter_rotation_vector = {}  # rad\n",
-                            toml_vector(X_BC.p), toml_vector(rotation::log(X_BC.R)));
+  return text +
+         fmt::format("cutter_position = {}  # m\ncutter_rotation_vector = {}  # rad\n",
+                     toml_vector(X_BC.p), toml_vector(rotation::log(X_BC.R))) +
+         labels_text(bit, part);
 }
 
 /// The parts in the frame of the bit, with their names.
@@ -98,9 +120,9 @@ void export_bit(const std::filesystem::path& folder, const Bit& bit, const Expor
     const std::string file = fmt::format("parts/{}.{}", part.name, options.parts);
     make_folder((folder / file).parent_path());
     mesh::write_mesh(folder / file, part.mesh_P, unit);
-    toml += part_text(part, file, unit);
+    toml += part_text(bit, part, file, unit);
   }
-  toml += areas_text(bit);
+  toml += body_text_of(bit) + areas_text(bit);
   if (!bit.cones.empty()) toml = cone_bit_text(bit);
   write_text(folder / "bit.toml", toml);
 }
@@ -133,7 +155,7 @@ void export_solids(const std::filesystem::path& folder, const Bit& bit,
     toml += rule_text(bit, part, has_names ? part.name : fmt::format("solid-{}", number));
   }
   for (const Cone& cone : bit.cones) toml += cone_text_of(cone);
-  toml += areas_text(bit);
+  toml += body_text_of(bit) + areas_text(bit);
   mesh::write_solids(folder / ("bit." + format), solids_B(bit), {unit, options.stl});
   write_text(folder / "solids.toml", toml);
 }

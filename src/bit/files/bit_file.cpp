@@ -48,14 +48,17 @@ double reach(const Bit& bit, int cutter) {
 void require_cutters_inside_gage(const Bit& bit, double gage_radius, const std::string& file,
                                  const std::vector<BitDoubt>& doubts) {
   constexpr double slack = 5e-5;  // m: rounding of tables and tolerance of bits
+  constexpr std::size_t few = 3;
   std::string lines;
+  std::size_t count = 0;
   for (std::size_t i = 0; i < bit.cutters.size(); ++i)
-    if (const double r = reach(bit, static_cast<int>(i)); r > gage_radius + slack)
+    if (const double r = reach(bit, static_cast<int>(i)); r > gage_radius + slack && ++count <= few)
       lines += fmt::format(
           "{}{}:{}: r_tip_mm: found cutter {} reaching {:.3f} mm from the axis, outside the bit, "
           "expected at most half of gage_diameter, {:.3f} mm",
           lines.empty() ? "" : "\n", file, bit.cutters[i].line, bit.cutters[i].id, 1e3 * r,
           1e3 * gage_radius);
+  if (count > few) lines += fmt::format("\n... and {} more cutters", count - few);
   if (lines.empty()) return;
   std::string rows;
   for (const BitDoubt& d : doubts) rows += fmt::format("{}: {}\n", d.place, d.text);
@@ -103,17 +106,37 @@ BitFile read_pdc_bit(Config& c, const std::string& name, DirectionRule direction
   return {std::move(bit), c.files(), c.fingerprint(), {}, std::move(doubts)};
 }
 
+/// The design values of a mesh body, which only reports use.
+std::optional<BladeDimensions> read_body(Config& file) {
+  if (!file.has(BodyDesign::table)) return std::nullopt;
+  return read_table<BodyDesign>(file).blades;
+}
+
+/// The reports compare the body with what the cutters leave.
+void require_body_and_cutters(Config& file, const Bit& bit) {
+  if (!bit.blades) return;
+  const std::string table(BodyDesign::table.name);
+  if (std::ranges::count(bit.parts, PartKind::bit_body, &Part::kind) == 0)
+    file.problem(table, "a bit without a part of kind bit-body",
+                 "such a part, or no table [body_design]");
+  else if (bit.cutters.empty())
+    file.problem(table, "a bit without cutters",
+                 "faces with the frames of their cutters, or no table [body_design]");
+}
+
 BitFile read_mesh_bit(Config& c, const std::string& name, DirectionRule directions,
                       InsideRule inside, Densities densities) {
   Bit bit;
   bit.name = name;
   PartsFromFiles read = c.has("solids") ? read_solid_parts(c, directions, inside, densities)
                                         : read_parts(c, directions, inside, densities);
+  bit.blades = read_body(c);
   c.finish_before("areas");
   set_profile_directions(read, directions, inside);
   bit.parts = std::move(read.parts);
   bit.cones = std::move(read.cones);
   add_cutters(read, bit);
+  require_body_and_cutters(c, bit);
   bit.gage_radius = largest_turned_radius(bit);
   apply_areas(c, bit, read.without_density);
   c.finish();
@@ -151,15 +174,15 @@ std::vector<KeyTable> bit_tables() {
       table_of<CutterMeshSettings, ConeMeshSettings>(
           command, {"mesh", "the meshes of cutters, or of cones and their teeth"}),
       table_of<ConeSettings, ConeJournal>(command, ConeSettings::table),
-      table_of<PartSettings, MeshFile, PartDirection>(command, PartSettings::table),
-      table_of<SolidRuleSettings, PartDirection>(command, SolidRuleSettings::table),
+      table_of<PartSettings, MeshFile, PartDirection, CutterLabels>(command, PartSettings::table),
+      table_of<SolidRuleSettings, PartDirection, CutterLabels>(command, SolidRuleSettings::table),
       table_of<AreaSelector, AreaProperties>(command, AreaProperties::table)};
   for (KeyTable& table :
        tables_of<CutterSettings, PadSettings, Adjustment, BladeSettings, DesignSettings,
                  ProfileSettings, DesignBladeSettings, DiameterByPlace, OverlapByPlace,
                  BackRakeByPlace, SideRakeByPlace, WearByPlace, BackupSettings, GageRowSettings,
                  JournalSettings, ToothSettings, ToothRowSettings, ShankSettings, LegSettings,
-                 SolidSettings, SolidConeSettings>(command))
+                 SolidSettings, SolidConeSettings, BodyDesign>(command))
     all.push_back(std::move(table));
   return all;
 }

@@ -120,6 +120,7 @@ PartsFromFiles read_parts(Config& file, DirectionRule directions, InsideRule ins
     read.has_direction.push_back(c.has("update_direction") || has_frame(c) ||
                                  !belongs_to_a_cutter(part.kind));
     read.frames.push_back(frame_of_cutter(c, part));
+    read_fields(c, read.labels.emplace_back());
     if (!c.has("density")) read.without_density.push_back(part.name);
     if (!c.has("density") && densities == Densities::required)
       c.problem("density", "none of " + part.name, expected_density);

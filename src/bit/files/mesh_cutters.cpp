@@ -101,6 +101,13 @@ std::vector<std::size_t> members_of(const std::vector<Part>& parts, std::size_t 
   return members;
 }
 
+void set_labels(const CutterLabels& given, Cutter& c) {
+  c.blade = given.blade.value_or(c.blade);
+  c.zone = given.zone.value_or(c.zone);
+  c.under_exposure = given.under_exposure.value_or(c.under_exposure);
+  c.wear = given.wear.value_or(c.wear);
+}
+
 void number(std::vector<Cutter>& cutters) {
   std::set<int> used;
   for (const Cutter& c : cutters)
@@ -142,6 +149,7 @@ void add_cutters(const PartsFromFiles& read, Bit& bit) {
     std::optional<Cutter> cutter = cutter_from_meshes(*read.frames[i], parts);
     if (!cutter) continue;
     cutter->id = number_in(face.name);
+    if (i < read.labels.size()) set_labels(read.labels[i], *cutter);
     for (const std::size_t k : members) bit.parts[k].cutter = static_cast<int>(bit.cutters.size());
     bit.cutters.push_back(*cutter);
   }

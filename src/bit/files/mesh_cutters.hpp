@@ -43,7 +43,32 @@ struct PartDirection {
   }
 };
 
-/// [[parts]], beside MeshFile and PartDirection.
+/// [body_design] of a bit whose parts are meshes: the design values that reports state (BladeDimensions).
+struct BodyDesign {
+  BladeDimensions blades;
+
+  static constexpr TableKey table{"body_design",
+                                  "design values of the mesh of a body with blades, for reports"};
+  void visit(FieldVisitor& v) {
+    v(blades.exposure, {.name = "exposure",
+                        .unit = "m",
+                        .need = Need::required,
+                        .range = Range::positive(),
+                        .meaning = "of the cutters' tips above the blades"});
+    v(blades.slot_depth, {.name = "slot_depth",
+                          .unit = "m",
+                          .need = Need::required,
+                          .range = Range::positive(),
+                          .meaning = "of the junk slots below the cutters' tips"});
+    v(blades.junk_slot_area, {.name = "junk_slot_area",
+                              .unit = "m2",
+                              .need = Need::required,
+                              .range = Range::non_negative(),
+                              .meaning = "between the blades, across the gage"});
+  }
+};
+
+/// [[parts]], beside MeshFile, PartDirection and CutterLabels.
 struct PartSettings {
   std::string name, kind;
   bool cutting = true, rubs = false;
@@ -85,7 +110,7 @@ struct SolidSettings : MeshFile {
   static constexpr TableKey table{"solids", "a whole bit in one mesh file, solids by name"};
 };
 
-/// [[solids.rules]], besides PartDirection. Properties that a rule does not give remain open.
+/// [[solids.rules]], besides PartDirection and CutterLabels. Properties that a rule does not give remain open.
 struct SolidRuleSettings {
   std::string match;
   std::optional<std::string> name, kind;
@@ -195,7 +220,7 @@ std::optional<Cutter> cutter_from_meshes(Pose X_BC, const std::vector<Part>& par
 /// (PartsFromFiles::frames), if it is the only face of its group, and if cutter_from_meshes returns
 /// one; all parts of the group then belong to the cutter (Part::cutter). Other faces are left without
 /// a cutter. Cutters are numbered by the names of their parts ("cutter-12/face") if all these numbers
-/// differ, otherwise 1, 2, ...
+/// differ, otherwise 1, 2, ... Blade, zone, under-exposure and wear are those of PartsFromFiles::labels.
 void add_cutters(const PartsFromFiles& read, Bit& bit);
 
 }  // namespace tdbd::bit

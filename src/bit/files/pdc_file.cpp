@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <set>
 #include <string_view>
 
 #include "bit/body/blade_body.hpp"
@@ -107,24 +109,30 @@ std::vector<NumberRange> number_ranges(std::string_view text) {
   }
 }
 
-/// Adjusts the cutters that each table selects by its name: [adjust.blade.2], [adjust.zone.nose].
-/// `selects`: whether a table of this name selects a cutter.
+/// A table of [adjust] and the cutters that it changes.
+struct AppliedChange {
+  Config config;
+  Adjustment change;
+  std::vector<std::uint8_t> selects;  ///< of each cutter
+};
+
+/// Applies the tables of `c`, each to the cutters that its name selects: [adjust.blade.2],
+/// [adjust.zone.nose]. `what` and `expected` describe, for messages, what a table must select.
 template <class Selects>
-void adjust_some(Config c, const std::string& expected, const Selects& selects,
-                 std::vector<Cutter>& cutters) {
+void adjust_some(Config c, const char* what, const std::string& expected, const Selects& selects,
+                 std::vector<Cutter>& cutters, std::vector<AppliedChange>& applied) {
   for (const std::string& name : c.given()) {
-    Config table = c.table(name);
-    Adjustment a;
-    read_fields(table, a);
-    long found = 0;
-    for (Cutter& cutter : cutters)
-      if (selects(name, cutter)) {
-        add(a, cutter);
-        ++found;
-      }
-    const std::vector<std::string> given = table.given();
-    if (found == 0 && !cutters.empty())
-      table.problem(given.empty() ? "" : given.front(), "a table of " + name, expected);
+    AppliedChange a{c.table(name), {}, {}};
+    read_fields(a.config, a.change);
+    for (Cutter& cutter : cutters) {
+      a.selects.push_back(selects(name, cutter) ? 1 : 0);
+      if (a.selects.back() != 0) add(a.change, cutter);
+    }
+    const std::vector<std::string> given = a.config.given();
+    if (std::ranges::count(a.selects, 1) == 0 && !cutters.empty())
+      a.config.problem(given.empty() ? "" : given.front(),
+                       fmt::format("no {} {} in the bit", what, name), expected);
+    applied.push_back(std::move(a));
   }
 }
 
@@ -142,17 +150,59 @@ std::string zones_of(const std::vector<Cutter>& cutters) {
   return listed(zones);
 }
 
-/// Records values that a cutter table would not allow either.
-void check_adjusted(Config& c, const Cutter& cutter) {
-  const auto refuse = [&](const char* key, double found, const char* unit, const char* expected) {
-    c.problem(key, fmt::format("{:.4g} {} of cutter {} in the end", found, unit, cutter.id),
-              expected);
-  };
-  const double back = cutter.back_rake / degree, side = cutter.side_rake / degree;
-  if (back < -5.0 || back > 60.0) refuse("back_rake", back, "deg", "an angle in -5..60");
-  if (std::abs(side) > 45.0) refuse("side_rake", side, "deg", "an angle in -45..45");
-  if (cutter.tip_radius < 0.0)
-    refuse("along", 1e3 * cutter.tip_radius, "mm from the axis", "a radius >= 0");
+/// The different numbers as ranges: "1-5, 7".
+std::string number_text(const std::vector<Cutter>& cutters, int Cutter::*member) {
+  std::set<int> numbers;
+  for (const Cutter& c : cutters) numbers.insert(c.*member);
+  std::string text;
+  for (auto at = numbers.begin(); at != numbers.end();) {
+    const int first = *at;
+    int last = first;
+    while (++at != numbers.end() && *at == last + 1) ++last;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", first);
+    if (last > first) text += fmt::format("-{}", last);
+  }
+  return text;
+}
+
+/// A value of a cutter that [adjust] changes, and its limits in a cutter table.
+struct AdjustedValue {
+  const char* key;
+  double Adjustment::*change;
+  double Cutter::*value;
+  double unit;
+  const char* unit_name;
+  double lowest, highest;  ///< in that unit
+  const char* expected;
+};
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+constexpr AdjustedValue adjusted_values[] = {
+    {"back_rake", &Adjustment::back_rake, &Cutter::back_rake, degree, "deg", -5.0, 60.0,
+     "an angle in -5..60 deg"},
+    {"side_rake", &Adjustment::side_rake, &Cutter::side_rake, degree, "deg", -45.0, 45.0,
+     "an angle in -45..45 deg"},
+    {"along", &Adjustment::along, &Cutter::tip_radius, 1e-3, "mm from the axis", 0.0, no_limit,
+     "a radius >= 0"}};
+
+/// Records a value that a cutter table would not allow either, at the largest change of it.
+void check_adjusted(std::vector<AppliedChange>& applied, const Cutter& cutter, std::size_t index) {
+  for (const AdjustedValue& v : adjusted_values) {
+    const double found = cutter.*v.value / v.unit;
+    if (found >= v.lowest && found <= v.highest) continue;
+    const auto size = [&](const AppliedChange& a) {
+      return a.selects[index] != 0 ? std::abs(a.change.*v.change) : -1.0;
+    };
+    AppliedChange& a = *std::ranges::max_element(applied, {}, size);
+    const bool bare = a.config.has(v.key) && !a.config.is_text(v.key);
+    const bool is_angle = v.unit == degree;
+    a.config.problem(
+        v.key,
+        fmt::format("{:.4g} {} at cutter {} after this change", found, v.unit_name, cutter.id),
+        v.expected + (bare ? fmt::format(" (a number without a unit is in {}; write it as '5 {}')",
+                                         is_angle ? "rad" : "m", is_angle ? "deg" : "mm")
+                           : std::string()));
+  }
 }
 
 /// Records problems that wrong rows of the table may have caused. The doubts about the table become
@@ -258,22 +308,25 @@ void check_blades(Config& file, const std::vector<Cutter>& cutters, const BladeO
 
 void adjust_cutters(Config adjust, std::vector<Cutter>& cutters) {
   if (adjust.given().empty()) return;
-  Adjustment all;
-  read_fields(adjust, all);
-  for (Cutter& c : cutters) add(all, c);
+  std::vector<AppliedChange> applied{{adjust, {}, std::vector<std::uint8_t>(cutters.size(), 1)}};
+  read_fields(adjust, applied.front().change);
+  for (Cutter& c : cutters) add(applied.front().change, c);
   adjust_some(
-      adjust.table("zone"), "a zone of the cutters: " + zones_of(cutters),
-      [](const std::string& name, const Cutter& c) { return c.zone == name; }, cutters);
+      adjust.table("zone"), "zone", "a zone of the cutters: " + zones_of(cutters),
+      [](const std::string& name, const Cutter& c) { return c.zone == name; }, cutters, applied);
   adjust_some(
-      adjust.table("blade"), "the number of a blade, or numbers such as 1-3",
+      adjust.table("blade"), "blade",
+      fmt::format("a blade or a range of these: {}", number_text(cutters, &Cutter::blade)),
       [](const std::string& name, const Cutter& c) { return selects_number(name, c.blade); },
-      cutters);
+      cutters, applied);
   adjust_some(
-      adjust.table("cutter"), "the number of a cutter, or numbers such as 22-39",
-      [](const std::string& name, const Cutter& c) { return selects_number(name, c.id); }, cutters);
-  for (Cutter& c : cutters) {
-    check_adjusted(adjust, c);
-    c.X_BC = cutter_pose(c);
+      adjust.table("cutter"), "cutter",
+      fmt::format("a cutter or a range of these: {}", number_text(cutters, &Cutter::id)),
+      [](const std::string& name, const Cutter& c) { return selects_number(name, c.id); }, cutters,
+      applied);
+  for (std::size_t i = 0; i < cutters.size(); ++i) {
+    check_adjusted(applied, cutters[i], i);
+    cutters[i].X_BC = cutter_pose(cutters[i]);
   }
 }
 

@@ -146,9 +146,11 @@ struct PadSettings {
                         .meaning = "how far pads stay inside the gage radius"});
     v(pads.thickness,
       {.name = "thickness", .unit = "m", .range = bit_length, .meaning = "radial, in the middle"});
+    pads.behind = 0.5 * pads.width;
     v(pads.behind,
       {.name = "behind",
        .unit = "m",
+       .computed_default = "half of width: the first pad begins at the cutter",
        .range = bit_place,
        .meaning =
            "along the circumference, from the highest cutter back to the first pad's middle"});

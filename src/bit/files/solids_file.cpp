@@ -113,6 +113,7 @@ SolidRule read_rule(Config& c) {
   rule.group = s.group;
   if (c.has("cutter_position") || c.has("cutter_rotation_vector"))
     rule.X_BC = {rotation::exp(s.cutter_rotation_vector), s.cutter_position};
+  read_fields(c, rule.labels);
   if (c.has("update_direction")) rule.update_direction_B = read_direction(c, Vec3::UnitZ());
   return rule;
 }
@@ -145,6 +146,10 @@ SolidRule rule_for(const std::vector<SolidRule>& rules, const std::string& name)
     lay_over(all.group, rule.group);
     lay_over(all.X_BC, rule.X_BC);
     lay_over(all.update_direction_B, rule.update_direction_B);
+    lay_over(all.labels.blade, rule.labels.blade);
+    lay_over(all.labels.zone, rule.labels.zone);
+    lay_over(all.labels.under_exposure, rule.labels.under_exposure);
+    lay_over(all.labels.wear, rule.labels.wear);
   }
   return all;
 }
@@ -220,6 +225,7 @@ PartsFromFiles read_solid_parts(Config& file, DirectionRule directions, InsideRu
     read.has_direction.push_back(rule.update_direction_B || rule.X_BC ||
                                  !belongs_to_a_cutter(part.kind));
     read.frames.push_back(rule.X_BC);
+    read.labels.push_back(rule.labels);
     read.parts.push_back(std::move(part));
   }
   for (std::size_t i = 0; i < read.cones.size(); ++i)

@@ -46,6 +46,7 @@ struct SolidRule {
   std::optional<int> group;
   std::optional<Pose> X_BC;                ///< frame of the solid's cutter
   std::optional<Vec3> update_direction_B;  ///< unit
+  CutterLabels labels;                     ///< of the solid's cutter
 };
 
 /// Reads the rules of [solids], in the order of the file. Mistakes are recorded in `solids`.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "bit/report/bit_output.hpp"
@@ -38,11 +39,18 @@ std::string counts(const std::vector<Cutter>& cutters, const Name& name) {
   return text + (all.size() > most ? fmt::format(" and {} more", all.size() - most) : "");
 }
 
+/// A value without the rounding that makes it a tiny number or a negative zero: 0 if it is below
+/// 1e-9 units.
+double without_tiny(double value) {
+  constexpr double tiny = 1e-9;
+  return std::abs(value) < tiny ? 0.0 : value;
+}
+
 /// "12 to 25", or one number.
 std::string range_text(const std::vector<Cutter>& cutters, double Cutter::*member, double unit) {
   const auto [low, high] = std::ranges::minmax(cutters, {}, member);
-  const std::string from = fmt::format("{:.4g}", low.*member / unit),
-                    to = fmt::format("{:.4g}", high.*member / unit);
+  const std::string from = fmt::format("{:.4g}", without_tiny(low.*member / unit)),
+                    to = fmt::format("{:.4g}", without_tiny(high.*member / unit));
   return from == to ? from : from + " to " + to;
 }
 
@@ -106,7 +114,8 @@ std::string cut_text(const Bit& bit, const std::vector<Cutter>& cutting, const E
                      double advance) {
   const auto idle = static_cast<std::size_t>(std::ranges::count(e.area, 0.0));
   std::string text = fmt::format(
-      "cutting at {:.4g} mm per revolution: {} of {} cutters cut; on average {:.2f} at a radius\n",
+      "cutting at {:.4g} mm per revolution: {} of {} cutters cut; at each radius {:.2f} cutters "
+      "cut, on average\n",
       1e3 * advance, cutting.size() - idle, bit.cutters.size(), mean_redundancy(e.cutting));
   constexpr double visible = 1e-3;  // m; a thinner core breaks
   const auto uncut = static_cast<std::size_t>(std::ranges::count(e.cutting, 0));
@@ -148,8 +157,9 @@ std::string cutters_text(const Bit& bit) {
   for (const Cutter& c : bit.cutters)
     text += fmt::format(
         "{:>7} {:>5} {:>9} {:>9.3f} {:>9.3f} {:>9.3f} {:>8.2f} {:>6.1f} {:>6.1f} {:>8.2f}\n", c.id,
-        c.blade, c.zone, 1e3 * c.tip_radius, c.azimuth / degree, 1e3 * c.tip_height,
-        c.profile_angle / degree, c.back_rake / degree, c.side_rake / degree, 1e3 * c.diameter);
+        c.blade, c.zone, 1e3 * c.tip_radius, without_tiny(c.azimuth / degree),
+        without_tiny(1e3 * c.tip_height), without_tiny(c.profile_angle / degree),
+        without_tiny(c.back_rake / degree), without_tiny(c.side_rake / degree), 1e3 * c.diameter);
   return text;
 }
 

@@ -64,6 +64,24 @@ TEST_F(CutterTable, is_read_in_si_units) {
   EXPECT_LT((c.X_BC * tip_C(c) - Vec3(0, 0.05, -0.003)).norm(), 1e-16);
 }
 
+TEST_F(CutterTable, names_the_separators_of_a_table_with_another_one) {
+  const auto with = [&](const std::string& separator) {
+    std::string text = std::string(header) + "\n" + good_row + "\n";
+    for (std::size_t at = 0; (at = text.find(',', at)) != std::string::npos; at += separator.size())
+      text.replace(at, 1, separator);
+    return mistakes(text);
+  };
+  const std::string of_bar =
+      ":1: table: found one column, with '|' in its name, expected columns with a separator: a "
+      "comma, a semicolon or a tab instead of '|'";
+  EXPECT_EQ(with("|"), of_bar);
+  EXPECT_EQ(with(" | "), of_bar);
+  EXPECT_EQ(with(" "),
+            ":1: table: found one column, with a space in its name, expected columns with a "
+            "separator: a comma, a semicolon or a tab instead of a space");
+  EXPECT_EQ(with(";"), "");
+}
+
 TEST_F(CutterTable, lets_optional_columns_override_the_defaults) {
   const Cutter c = read(std::string(header) + ",chamfer_mm,chamfer_deg,length_mm,table_mm\n" +
                         good_row + ",0.25,30,11,2.5\n")

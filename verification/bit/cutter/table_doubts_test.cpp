@@ -180,8 +180,20 @@ const std::vector<WrongTable>& wrong_tables() {
        "TABLE:2: dia_mm, r_tip_mm: found values that fit the profile when swapped, expected the "
        "diameter of the cutter in dia_mm, the radius of its tip in r_tip_mm\n"},
       {"the rakes exchanged", [](Rows& r) { exchange(r, back_rake, side_rake); },
-       "TABLE:2: side_rake_deg: found side rakes of about 16.4 deg and back rakes of "
+       "TABLE:2: back_rake_deg, side_rake_deg: found side rakes of about 16.4 deg and back rakes "
+       "of "
        "about 0.756 deg, expected back rakes larger than side rakes; are the columns swapped?\n"},
+      {"smaller rakes exchanged",
+       [](Rows& r) {
+         for (std::size_t k = 1; k < r.size(); ++k) r[k][side_rake] = "7";
+         exchange(r, back_rake, side_rake);
+       },
+       "TABLE:2: back_rake_deg, side_rake_deg: found side rakes of about 16.4 deg and back rakes "
+       "of about 7 deg, expected back rakes larger than side rakes; are the columns swapped?\n"},
+      {"all back rakes negative", [](Rows& r) { scale(r, back_rake, -1.0); },
+       "TABLE:2: back_rake_deg: found -12 and 27 more values outside the range, expected an angle "
+       "in -5..60: positive rakes lean back; change the sign of the column, or are back and side "
+       "rakes swapped?\n"},
       {"decimal commas between commas", [](Rows& r) { r[3][r_tip] = "19,826"; },
        "TABLE:4: row: found 12 cells (decimal commas? Then separate the columns with semicolons), "
        "expected 11, as in the header\n"},
@@ -255,6 +267,23 @@ RC_GTEST_PROP(TableDoubts, are_no_errors_about_generated_designs, ()) {
   const std::vector<Cutter> cutters = laid_out(any_design());
   for (const TableDoubt& d : table_doubts(cutters))
     if (d.severity == Severity::impossible) RC_FAIL(doubt_text("design", d));
+}
+
+/// Wrong rows that fit each other: four or all five cutters of the gage below the nose.
+TEST(TableDoubts, find_several_wrong_signs_of_heights) {
+  for (const char letter : {'a', 'b', 'c'})
+    for (const std::size_t count : {2U, 4U, 5U}) {
+      std::vector<Cutter> wrong = table(letter);
+      const std::size_t first = wrong.size() - count;
+      for (std::size_t k = first; k < wrong.size(); ++k) wrong[k].tip_height *= -1.0;
+      const std::vector<TableDoubt> doubts = table_doubts(wrong);
+      ASSERT_EQ(doubts.size(), count) << letter << count << doubt_text("t", doubts.front());
+      for (std::size_t k = 0; k < count; ++k) {
+        EXPECT_EQ(doubts[k].line, wrong[first + k].line);
+        EXPECT_EQ(doubts[k].column, "h_tip_mm");
+        EXPECT_NE(doubts[k].expected.find("is the sign wrong?"), std::string::npos);
+      }
+    }
 }
 
 TEST(TableDoubts, can_be_switched_off) {

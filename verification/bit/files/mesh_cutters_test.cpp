@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "bit/cutter/cutter.hpp"
 #include "bit/cutter/cutter_table.hpp"
@@ -92,6 +93,55 @@ TEST(MeshCutters, of_an_exported_bit_are_those_of_the_bit) {
       for (std::size_t i = 0; i < again.parts.size(); ++i)
         EXPECT_EQ(again.parts[i].cutter, original.parts[i].cutter) << again.parts[i].name;
     }
+  }
+}
+
+/// Back-up cutters, wear, zones and the body of a generated bit, in both exported files.
+TEST(MeshCutters, of_an_exported_bit_keep_what_the_meshes_do_not_show) {
+  const auto folder = test_folder();
+  std::filesystem::create_directories(folder);
+  const std::string design = TDBD_SOURCE_DIR "/cases/bits/generated.toml";
+  const Bit original = read_bit(design, DirectionRule::hybrid, InsideRule::down,
+                                Densities::as_given, {"design.wear.gage=0.5 mm"})
+                           .bit;
+  export_solids(folder, original, {.solids = "ply"});
+  export_bit(folder, original, {.parts = "ply"});
+  const auto has_wear = [](const Cutter& c) { return c.wear > 0.0; };
+  const auto is_backup = [](const Cutter& c) { return c.under_exposure > 0.0; };
+  EXPECT_GT(std::ranges::count_if(original.cutters, has_wear), 0);
+  EXPECT_GT(std::ranges::count_if(original.cutters, is_backup), 0);
+  for (const char* file : {"bit.toml", "solids.toml"}) {
+    const Bit again = read((folder / file).string());
+    ASSERT_EQ(again.cutters.size(), original.cutters.size()) << file;
+    for (std::size_t i = 0; i < again.cutters.size(); ++i) {
+      const Cutter &a = original.cutters[i], &b = again.cutters[i];
+      EXPECT_EQ(std::tuple(b.blade, b.zone, b.under_exposure, b.wear),
+                std::tuple(a.blade, a.zone, a.under_exposure, a.wear))
+          << file << a.id;
+    }
+    ASSERT_TRUE(again.blades.has_value()) << file;
+    EXPECT_EQ(again.blades->exposure, original.blades->exposure);
+    EXPECT_EQ(again.blades->slot_depth, original.blades->slot_depth);
+    EXPECT_EQ(again.blades->junk_slot_area, original.blades->junk_slot_area);
+  }
+}
+
+/// The design values of a body need the body and cutters with which reports compare them.
+TEST(MeshCutters, reject_a_body_that_reports_cannot_use) {
+  const auto folder = test_folder();
+  std::filesystem::create_directories(folder);
+  Bit bare = read(TDBD_SOURCE_DIR "/cases/bits/bit-b.toml");
+  std::erase_if(bare.parts, [](const Part& p) { return p.kind == PartKind::bit_body; });
+  export_bit(folder, bare, {.parts = "ply"});
+  try {
+    read((folder / "bit.toml").string());
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_NE(
+        std::string(e.what()).find("body_design: found a bit without a part of kind bit-body, "
+                                   "expected such a part, or no table [body_design]"),
+        std::string::npos)
+        << e.what();
   }
 }
 
@@ -214,16 +264,17 @@ TEST(AdjustFile, moves_along_the_tangent) {
 
 TEST(AdjustFile, rejects_what_the_bit_does_not_have) {
   EXPECT_EQ(mistake_of({"adjust.blade.9.azimuth=1 deg"}),
-            "bit.set: adjust.blade.9.azimuth: found a table of 9, expected the number of a blade, "
-            "or numbers such as 1-3");
+            "bit.set: adjust.blade.9.azimuth: found no blade 9 in the bit, expected a blade or a "
+            "range of these: 1-5");
   EXPECT_EQ(mistake_of({"adjust.zone.sholder.back_rake=1 deg"}),
-            "bit.set: adjust.zone.sholder.back_rake: found a table of sholder, expected a zone of "
-            "the cutters: cone, nose, shoulder, gage");
-  EXPECT_NE(mistake_of({"adjust.cutter.39-22.back_rake=1 deg"}).find("found a table of 39-22"),
-            std::string::npos);
+            "bit.set: adjust.zone.sholder.back_rake: found no zone sholder in the bit, expected a "
+            "zone of the cutters: cone, nose, shoulder, gage");
+  EXPECT_NE(
+      mistake_of({"adjust.cutter.39-22.back_rake=1 deg"}).find("found no cutter 39-22 in the bit"),
+      std::string::npos);
   EXPECT_EQ(mistake_of({"adjust.cutter.first.back_rake=1 deg"}),
-            "bit.set: adjust.cutter.first.back_rake: found a table of first, expected the number "
-            "of a cutter, or numbers such as 22-39");
+            "bit.set: adjust.cutter.first.back_rake: found no cutter first in the bit, expected a "
+            "cutter or a range of these: 1-28");
   EXPECT_EQ(mistake_of({"adjust.bak_rake=1 deg"}),
             "bit.set: adjust.bak_rake: found an unknown key, expected back_rake");
   EXPECT_NE(mistake_of({"adjust.back_rake=60 deg"}).find("expected an angle in -5..60"),
@@ -232,6 +283,17 @@ TEST(AdjustFile, rejects_what_the_bit_does_not_have) {
             std::string::npos);
   EXPECT_NE(mistake_of({"adjust.cutter.1.along=-20 mm"}).find("expected a radius >= 0"),
             std::string::npos);
+}
+
+/// The largest change of the value is named, not [adjust]; a number without a unit is in rad.
+TEST(AdjustFile, names_the_change_and_the_unit_of_an_impossible_rake) {
+  EXPECT_EQ(mistake_of({"adjust.zone.shoulder.back_rake=5"}),
+            "bit.set: adjust.zone.shoulder.back_rake: found 301.4 deg at cutter 12 after this "
+            "change, expected an angle in -5..60 deg (a number without a unit is in rad; write it "
+            "as '5 deg')");
+  EXPECT_EQ(mistake_of({"adjust.back_rake=1 deg", "adjust.cutter.3.back_rake=80 deg"}),
+            "bit.set: adjust.cutter.3.back_rake: found 93 deg at cutter 3 after this change, "
+            "expected an angle in -5..60 deg");
 }
 
 /// The sizes at the ends of the range are still usual.
