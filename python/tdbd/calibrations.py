@@ -13,7 +13,7 @@ from tdbd import _core
 from tdbd.cases import Case, of_kind
 from tdbd.errors import CaseWarning, in_python_words
 from tdbd.runs import Folder, Progress
-from tdbd.scratch import Scratch, folder_for
+from tdbd.scratch import Scratch, folder_for, place_in, reopened
 
 if TYPE_CHECKING:
     import xarray
@@ -47,6 +47,10 @@ class CalibrationResult:
         self.folder = Path(folder).absolute()
         self._keep = keep
         self.answer = answer  #: as printed in a terminal; "" for a folder of an earlier calibration
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickles the files of a temporary folder; of another folder the path."""
+        return _again, (place_in(self.folder, self._keep), self._keep, self.answer)
 
     def __repr__(self) -> str:
         state = {True: "the law fits", False: "THE LAW DOES NOT FIT", None: "not tested"}[self.fits]
@@ -86,6 +90,11 @@ class CalibrationResult:
     def law(self) -> str:
         """law.toml: a table [forces] for a case. After separate fits, there is one file for each pressure."""
         return (self.folder / "law.toml").read_text(encoding="utf-8")
+
+
+def _again(place: str, keep: Scratch | None, answer: str) -> CalibrationResult:
+    """Returns a pickled result."""
+    return CalibrationResult(reopened(place, keep), keep, answer)
 
 
 def calibrate(case: Case | Folder, folder: Folder | None = None, *, cuts: Folder | None = None, force: bool = False,

@@ -11,6 +11,12 @@ from tdbd.cases import Case, of_kind
 from tdbd.surfaces import Surface
 
 
+def _refused(simulation: object) -> TypeError:
+    name = type(simulation).__name__
+    return TypeError(f"tdbd.{name}: a simulation between two steps cannot be copied, pickled or sent to another process; "
+                     "return its `summary`, pickle its `case`, or use tdbd.run or tdbd.rotate, whose results can be pickled")
+
+
 class Simulation(_core.Drilling):
     """A drilling bit between two steps, in memory. All steps together are those of `tdbd.run`.
 
@@ -22,6 +28,12 @@ class Simulation(_core.Drilling):
     def __init__(self, case: Case | str | os.PathLike[str], threads: int = 1) -> None:
         self.case = of_kind(case, "drilling")
         super().__init__(self.case.checked, threads)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        raise _refused(self)
+
+    def __reduce_ex__(self, protocol: Any) -> tuple[Any, ...]:
+        raise _refused(self)
 
     def __repr__(self) -> str:
         return (f"<tdbd.Simulation of {self.case.title}: step {self.steps_done} of {self.case.steps}, "
@@ -50,6 +62,12 @@ class Rotation(_core.Rotating):
     def __init__(self, case: Case | str | os.PathLike[str]) -> None:
         self.case = of_kind(case, "rotation")
         super().__init__(self.case.checked)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        raise _refused(self)
+
+    def __reduce_ex__(self, protocol: Any) -> tuple[Any, ...]:
+        raise _refused(self)
 
     def __repr__(self) -> str:
         return (f"<tdbd.Rotation of {self.case.title}: step {self.steps_done} of {self.case.steps}, "

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tdbd import _core, plots
-from tdbd.scratch import Scratch
+from tdbd.scratch import Scratch, place_in, reopened
 from tdbd.surfaces import Surface
 
 if TYPE_CHECKING:
@@ -16,13 +16,20 @@ if TYPE_CHECKING:
 
 
 class Result:
-    """A result folder. Each file is read once, when it is first used."""
+    """A result folder. Each file is read once, when it is first used.
+
+    A result can be pickled, so that a process of multiprocessing can return it. The files of a temporary
+    folder travel with it; of another folder only the path does.
+    """
 
     folder: Path  #: contains the files; for a run without a folder temporary, and deleted with the result
 
     def __init__(self, folder: str | os.PathLike[str], keep: Scratch | None = None) -> None:
         self.folder = Path(folder).absolute()
         self._keep = keep
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _again, (type(self), place_in(self.folder, self._keep), self._keep)
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} of {self.summary['title'] or 'a case'}, {self.summary['status']}, in {self.folder}>"
@@ -51,6 +58,11 @@ class Result:
             loaded = xarray.load_dataset(self.folder / "history.nc", engine="netcdf4", decode_times=False)
         labels = {name: loaded[f"{name}_name"].values for name in loaded.dims if f"{name}_name" in loaded}
         return loaded.assign_coords(labels)
+
+
+def _again(kind: type[Result], place: str, keep: Scratch | None) -> Result:
+    """Returns a pickled result."""
+    return kind(reopened(place, keep), keep)
 
 
 class RunResult(Result):

@@ -16,7 +16,7 @@ import numpy as np
 
 from tdbd import _core
 from tdbd.errors import CaseWarning, FolderError, RunError, in_python_words
-from tdbd.scratch import Scratch
+from tdbd.scratch import Scratch, place_in, reopened
 
 if TYPE_CHECKING:
     import xarray
@@ -34,6 +34,11 @@ class SweepResult:
     found: int = 0  #: of this shard, completed by an earlier call
     failed: int = 0
     _keep: Scratch | None = field(default=None, repr=False)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickles the files of a temporary folder; of another table the path."""
+        counts = (self.points, self.done, self.found, self.failed)
+        return _again, (place_in(self.table, self._keep), counts, self._keep)
 
     def __repr__(self) -> str:
         counts = f"{self.done} of {self.points} points done, {self.failed} failed"
@@ -61,6 +66,12 @@ class SweepResult:
         columns = {name: values.values.tolist() for name, values in self.data.items()}
         columns["status"] = [_STATUS[int(status)] for status in columns["status"]]
         return [dict(zip(columns, row)) for row in zip(*columns.values())]
+
+
+def _again(place: str, counts: tuple[int, int, int, int], keep: Scratch | None) -> SweepResult:
+    """Returns a pickled result. The table exists only if all points are done."""
+    path = reopened(place, keep) if counts[0] == counts[1] else Path(place)
+    return SweepResult(path, *counts, keep)
 
 
 def _design(path: str | os.PathLike[str]) -> str:

@@ -1,9 +1,12 @@
 """What a result holds: figures, history, rock, pictures; folders of others and temporary ones; check and converge."""
 
+import copy
 import io
 import json
+import multiprocessing
 import os
 import pickle
+import shutil
 import subprocess
 import sys
 import unittest
@@ -89,6 +92,51 @@ class Results(FolderTest):
         done = subprocess.run([sys.executable, "-B", "-c", drill], input=pickle.dumps(case), capture_output=True, check=True,
                               env=os.environ | {"PYTHONPATH": str(PACKAGES)})
         self.assertEqual(done.stdout.strip(), b"20")
+
+    def test_results_return_from_other_processes(self):
+        """The files of a temporary folder travel with their result; the worker and its folder are gone."""
+        cases = [tdbd.case(TOP, time__duration=f"{n} s") for n in (1, 2)]
+        with multiprocessing.get_context("fork").Pool(2) as pool:
+            results = pool.map(tdbd.rotate, cases)
+        rotate = "import pickle, sys, tdbd; pickle.dump(tdbd.rotate(pickle.load(sys.stdin.buffer)), sys.stdout.buffer)"
+        done = subprocess.run([sys.executable, "-B", "-c", rotate], input=pickle.dumps(cases[0]), capture_output=True, check=True,
+                              env=os.environ | {"PYTHONPATH": str(PACKAGES)})
+        for n, result in zip((1, 2, 1), [*results, pickle.loads(done.stdout)]):
+            self.assertEqual(result.summary["duration_s"], n)
+            self.assertEqual(result.history["time"].values[-1], n)
+
+    def test_results_are_pickled_and_copied(self):
+        result = tdbd.run(tdbd.case(DRILLING, set=QUICK))
+        volume, n = result.summary["removed_volume_m3"], len(result.rock.vertices)
+        same, pickled = copy.deepcopy(result), pickle.dumps(result)
+        self.assertEqual(same.folder, result.folder)
+        del result
+        self.assertEqual(len(same.rock.vertices), n)  # the copy keeps the folder
+        folder = same.folder
+        del same
+        self.assertFalse(folder.exists())
+        again = pickle.loads(pickled)
+        self.assertEqual((again.summary["removed_volume_m3"], len(again.rock.vertices)), (volume, n))
+        kept = tdbd.rotate(tdbd.case(TOP, time__duration="1 s"), self.folder / "kept")
+        pickled = pickle.dumps(kept)
+        self.assertLess(len(pickled), 1000)  # the path only
+        self.assertEqual(pickle.loads(pickled).folder, kept.folder)
+        shutil.rmtree(kept.folder)
+        self.assertRaisesRegex(FileNotFoundError, "moved or deleted", pickle.loads, pickled)
+
+    def test_a_fork_does_not_delete_the_folder(self):
+        result = tdbd.rotate(tdbd.case(TOP, time__duration="1 s"))
+        child = os.fork()
+        if child == 0:
+            del result  # deletes the temporary folder in the process that made it only
+            os._exit(0)
+        os.waitpid(child, 0)
+        self.assertTrue(result.folder.is_dir())
+
+    def test_a_simulation_cannot_be_pickled(self):
+        for simulation in (tdbd.Simulation(tdbd.case(DRILLING, set=QUICK)), tdbd.Rotation(TOP)):
+            for use in (pickle.dumps, copy.copy, copy.deepcopy):
+                self.assertRaisesRegex(TypeError, "between two steps cannot be copied", use, simulation)
 
     def test_a_relative_folder_stays_where_it_was(self):
         os.chdir(self.folder)
