@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace tdbd {
 namespace {
@@ -47,6 +49,22 @@ std::string read_file(const std::filesystem::path& path, std::string_view expect
   if (in) bytes.append(std::istreambuf_iterator<char>(in), {});  // it grew, or its size is unknown
   if (in.bad()) reject_file(path, "a file that cannot be read", expected);
   return bytes;
+}
+
+std::string read_text_file(const std::filesystem::path& path, std::string_view expected,
+                           std::string_view hint) {
+  std::string text = read_file(path, expected);
+  if (text.starts_with("\xFF\xFE")) return utf8_of_utf16(std::string_view(text).substr(2), 0, 1);
+  if (text.starts_with("\xFE\xFF")) return utf8_of_utf16(std::string_view(text).substr(2), 1, 0);
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  const std::optional<std::size_t> wrong = invalid_utf8(text);
+  if (!wrong) return text;
+  const std::string_view before = std::string_view(text).substr(0, *wrong);
+  const std::size_t line = before.rfind('\n') + 1;  // 0 on the first line
+  throw InputError(
+      fmt::format("{}:{}: byte {} of the line: found 0x{:02X}, expected text in UTF-8{}",
+                  path.string(), std::ranges::count(before, '\n') + 1, *wrong - line + 1,
+                  static_cast<unsigned char>(text[*wrong]), hint));
 }
 
 }  // namespace tdbd

@@ -16,6 +16,17 @@ constexpr std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+/// The text with lower-case letters of ASCII; other bytes are unchanged.
+std::string lower_case(std::string_view text);
+
+/// Returns the position of the first byte that is not part of valid UTF-8 (RFC 3629); nothing if the
+/// whole text is valid.
+std::optional<std::size_t> invalid_utf8(std::string_view text);
+
+/// Converts UTF-16 to UTF-8. `low`, `high`: positions (0 or 1) of the
+/// low and the high byte in a code unit. A lone surrogate becomes U+FFFD.
+std::string utf8_of_utf16(std::string_view bytes, std::size_t low, std::size_t high);
+
 /// Levenshtein distance: the smallest number of insertions, deletions and replacements of
 /// characters.
 std::size_t edit_distance(std::string_view a, std::string_view b);

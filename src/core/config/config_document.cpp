@@ -237,7 +237,7 @@ ConfigDocument parse_document(const std::string& text, const std::string& path) 
 }
 
 ConfigDocument read_document(const std::string& path) {
-  return parse_document(read_file(path, "a TOML file"), path);
+  return parse_document(read_text_file(path, "a TOML file"), path);
 }
 
 void apply_override(ConfigDocument& document, const std::string& assignment) {

@@ -16,11 +16,14 @@ struct CsvRow {
   std::vector<std::string> cells;
 };
 
-/// Reads the rows of a file. The separator is that of the first row: a comma, a semicolon or a tab;
-/// with the latter two, numbers may have a decimal comma ("50,5" is returned as "50.5"). A cell in
-/// double quotes may contain the separator. Lines that are empty, have only empty cells, or start
-/// with '#' are skipped; a byte-order mark and CRLF are accepted. Throws InputError if the file
-/// cannot be read, or is a workbook (xlsx, xls) or UTF-16; the message states how to export CSV.
+/// Reads the rows of a file by RFC 4180: a cell in double quotes may contain separators, line ends
+/// and, doubled, quotes. The separator is that of a first line "sep=;", otherwise the most frequent
+/// one in the header: a comma, a semicolon or a tab. With the latter two, numbers may have a decimal
+/// comma ("50,5" is returned as "50.5"), unless other numbers have a point. Lines that are empty,
+/// have only empty cells, or start with '#' are skipped, and so are empty cells behind the last
+/// column with a name. Line ends are LF, CRLF or CR. The text is UTF-8 or, with a byte-order mark,
+/// UTF-16. Throws InputError if the file cannot be read, is a workbook (xlsx, xls), has a byte that
+/// is no UTF-8 (the message names line and byte), or a quote that is not closed.
 std::vector<CsvRow> read_csv_rows(const std::string& path);
 
 /// Returns the finite number that fills the whole cell; otherwise nothing.
@@ -33,6 +36,17 @@ std::optional<Number> csv_number(const std::string& cell) {
     return std::nullopt;
   return value;
 }
+
+/// What to add to "a number" in the message about a cell that contains a comma; otherwise empty.
+std::string comma_hint(std::string_view cell);
+
+/// A name of a column and its unit.
+struct NamedUnit {
+  std::string name, unit;
+};
+
+/// Splits "hook load [kN]" or "hook load (kN)"; without brackets the unit is empty.
+NamedUnit split_unit(std::string_view text);
 
 /// The mistakes of one file, in the order in which they were found.
 struct CsvMistakes {
@@ -56,8 +70,8 @@ struct CsvTable {
 /// mistakes (CsvMistakes).
 CsvTable read_csv(const std::string& path);
 
-/// Returns the index of the column with this name. Throws InputError that suggests the nearest
-/// name.
+/// Returns the index of the column with this name; if there is none, that of the first one with this
+/// name in other case. Throws InputError that suggests the nearest name.
 std::size_t csv_column(const CsvTable& table, std::string_view name);
 
 /// A record of measurements written by a rig: named columns with units. Cells may be empty.
@@ -75,7 +89,7 @@ struct FieldTable {
 FieldTable read_field_table(const std::string& path);
 
 /// Returns a column in SI units. `column`: "HKLA", or "HKLA [kN]" with a unit that replaces the
-/// file's. Throws InputError if there is no such column (the message lists those of the file), no
+/// file's. Upper and lower case are the same if no name is equal. Throws InputError if there is no such column (the message lists those of the file), no
 /// unit, a unit of another dimension, or a row without a value: an empty cell, a text, NaN or the
 /// null value.
 std::vector<double> field_column(const FieldTable& table, std::string_view column,
