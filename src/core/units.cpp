@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "core/units/spelling.hpp"
 #include "core/units/unit_database.hpp"
 
 namespace tdbd {
@@ -94,25 +95,50 @@ std::unique_ptr<Unit> requested_unit(const std::string& si_unit) {
   return unit;
 }
 
-UnitError refused(std::string_view text, const std::string& why, const std::string& si_unit) {
+/// `question`: what may be meant; empty without a guess.
+UnitError refused(std::string_view text, const std::string& why, const std::string& si_unit,
+                  const std::string& question = {}) {
+  const std::string expected =
+      si_unit == "1" ? describe_unit(si_unit)
+                     : fmt::format("{} or another unit of it", describe_unit(si_unit));
   return {fmt::format("\"{}\" ({})", text, why),
-          si_unit == "1" ? describe_unit(si_unit)
-                         : fmt::format("{} or another unit of it", describe_unit(si_unit))};
+          question.empty() ? expected : fmt::format("{}; did you mean {}?", expected, question)};
 }
 
-/// Splits a text into the number at its start and the name of the unit after it.
-std::pair<double, std::string> split(std::string_view text, const std::string& si_unit) {
-  const std::string_view body = trimmed(text);
+/// A number at the start of a text, the number as written, and the name of the unit after it.
+struct Quantity {
+  double number = 0.0;
+  std::string digits, name;
+};
+
+Quantity split(std::string_view text, const std::string& si_unit) {
+  const auto [body, question] =
+      units::plain_number(trimmed(units::plain_characters(trimmed(text))));
   double number = 0.0;
   const auto [rest, error] = std::from_chars(body.data(), body.data() + body.size(), number);
   if (error == std::errc::result_out_of_range) throw refused(text, "is out of range", si_unit);
   if (error != std::errc()) throw refused(text, "does not start with a number", si_unit);
   if (!std::isfinite(number)) throw refused(text, "is not finite", si_unit);
-  const std::string name(trimmed(body.substr(static_cast<std::size_t>(rest - body.data()))));
+  const auto length = static_cast<std::size_t>(rest - body.data());
+  const std::string name(trimmed(std::string_view(body).substr(length)));
   if (name.empty() && si_unit != "1") throw refused(text, "has no unit", si_unit);
+  if (!question.empty() && body.find('/') == std::string::npos)
+    throw refused(text, "its comma may separate decimals or thousands", si_unit, question);
   if (contains_further_number(name))
-    throw refused(text, "has a second number in place of a unit", si_unit);
-  return {number, name.empty() ? "1" : name};
+    throw refused(text, "has a second number in place of a unit", si_unit, question);
+  return {number, body.substr(0, length), name.empty() ? "1" : name};
+}
+
+/// The unit of the expected dimension that a name means: the unit of this name, or one of another
+/// spelling. Null if there is none.
+std::unique_ptr<Unit> unit_of_dimension(const std::string& name, const Unit& target) {
+  std::unique_ptr<Unit> unit = find_unit(name);
+  if (unit && same_dimension(*unit, target)) return unit;
+  for (const std::string& other : units::other_spellings(name)) {
+    unit = find_unit(other);
+    if (unit && same_dimension(*unit, target)) return unit;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -129,12 +155,15 @@ std::string describe_unit(const std::string& si_unit) {
 
 double to_si(std::string_view text, const std::string& si_unit) {
   const std::unique_ptr<Unit> target = requested_unit(si_unit);
-  const auto [number, name] = split(text, si_unit);
-  const std::unique_ptr<Unit> unit = find_unit(name);
-  if (!unit) throw refused(text, fmt::format("unknown unit {}", name), si_unit);
-  if (!same_dimension(*unit, *target))
-    throw refused(text, fmt::format("{} is {}", name, dimension_of(*unit)), si_unit);
-  const double value = unit->convert(number, *target);
+  const Quantity q = split(text, si_unit);
+  const std::unique_ptr<Unit> unit = unit_of_dimension(q.name, *target);
+  if (!unit) {
+    const std::unique_ptr<Unit> found = find_unit(q.name);
+    const std::string why = found ? fmt::format("{} is {}", q.name, dimension_of(*found))
+                                  : fmt::format("unknown unit {}", q.name);
+    throw refused(text, why, si_unit, units::suggested_units(q.digits, q.name, target->powers()));
+  }
+  const double value = unit->convert(q.number, *target);
   if (!std::isfinite(value)) throw refused(text, "is out of range in SI", si_unit);
   return value;
 }

@@ -109,14 +109,97 @@ TEST(Units, rejects_with_its_own_message_only) {
 TEST(Units, rejects_what_is_not_a_unit) {
   expect_refusal("8.5", "m", {"no unit", "length"});
   expect_refusal("8.5 inn", "m", {"unknown unit inn", "length"});
-  expect_refusal("8,5 in", "m", {"second number"});
-  expect_refusal("8 1/2 in", "m", {"second number"});
+  expect_refusal("8 1/2 in", "m", {"second number", "did you mean \"8.5 in\"?"});
+  expect_refusal("12-1/4 in", "m", {"second number", "did you mean \"12.25 in\"?"});
+  expect_refusal("1/2 in", "m", {"second number", "did you mean \"0.5 in\"?"});
   expect_refusal("8 5 in", "m", {"second number"});
   for (const char* text : {"8 - 5 in", "8 in 3", "8 in*3", "8 in @ 3", "8 in.3", "8 1/2in", "8 -5"})
     expect_refusal(text, "m", {"second number"});
   for (const char* text : {"8 1/ s", "8 1/(s)", "8 1/", "8 1"})
     expect_refusal(text, "1/s", {"second number"});
   EXPECT_DOUBLE_EQ(to_si("2 m s-1", "m/s"), to_si("2 m.s^-1", "m/s"));
+}
+
+struct Spelling {
+  const char* text;
+  const char* si_unit;
+  const char* same;  ///< the quantity as the library of units spells it
+};
+
+TEST(Units, accepts_other_spellings_that_have_one_meaning) {
+  for (const Spelling& s : std::vector<Spelling>{{"7 Nm", "N m", "7 N m"},
+                                                 {"7 kNm", "N m", "7 kN m"},
+                                                 {"7 kN-m", "N m", "7 kN m"},
+                                                 {"7 N\u00B7m", "N m", "7 N m"},
+                                                 {"7 N\u22C5m", "N m", "7 N m"},
+                                                 {"7 ft-lb", "N m", "7 ft lbf"},
+                                                 {"7 ft-lbs", "N m", "7 ft lbf"},
+                                                 {"7 lb-ft", "N m", "7 ft lbf"},
+                                                 {"7 ft.lbf", "N m", "7 ft lbf"},
+                                                 {"7 kft-lbf", "N m", "7 ft klbf"},
+                                                 {"7 Nm/rad", "N m/rad", "7 N m/rad"},
+                                                 {"7 RPM", "rad/s", "7 rpm"},
+                                                 {"7 Rpm", "rad/s", "7 rpm"},
+                                                 {"7 r/min", "rad/s", "7 rpm"},
+                                                 {"7 rev/min", "rad/s", "7 rpm"},
+                                                 {"7 rps", "rad/s", "7 rev/s"},
+                                                 {"7 PSI", "Pa", "7 psi"},
+                                                 {"7 ksi", "Pa", "7000 psi"},
+                                                 {"7 kpsi", "Pa", "7000 psi"},
+                                                 {"7 Mpa", "Pa", "7 MPa"},
+                                                 {"7 KPA", "Pa", "7 kPa"},
+                                                 {"7 kips", "N", "7 klbf"},
+                                                 {"7 KN", "N", "7 kN"},
+                                                 {"7 Klbf", "N", "7 klbf"},
+                                                 {"7 LBF", "N", "7 lbf"},
+                                                 {"7 fph", "m/s", "7 ft/h"},
+                                                 {"7 ft/hr", "m/s", "7 ft/h"},
+                                                 {"7 FT/HR", "m/s", "7 ft/h"},
+                                                 {"7 m/hr", "m/s", "7 m/h"},
+                                                 {"7 in.", "m", "7 in"},
+                                                 {"7\"", "m", "7 in"},
+                                                 {"7 MM", "m", "7 mm"},
+                                                 {"7 \u00B5m", "m", "7 um"},
+                                                 {"7 g/cc", "kg/m3", "7 g/cm3"},
+                                                 {"7 lb/gal", "kg/m3", "7 ppg"},
+                                                 {"7 kg/m\u00B3", "kg/m3", "7 kg/m3"},
+                                                 {"7 m\u00B7s\u207B\u00B9", "m/s", "7 m/s"},
+                                                 {"7 mm\u00B2", "m2", "7 mm2"},
+                                                 {"7\u00B0", "rad", "7 deg"},
+                                                 {"7 \u00B0C", "K", "7 degC"},
+                                                 {"7 lbs", "kg", "7 lb"},
+                                                 {"7 hrs", "s", "7 h"},
+                                                 {"7\u00A0mm", "m", "7 mm"},
+                                                 {"7\u2009mm", "m", "7 mm"},
+                                                 {"7\u202Fmm", "m", "7 mm"},
+                                                 {"\u22127 deg", "rad", "-7 deg"},
+                                                 {"1,5 mm", "m", "1.5 mm"},
+                                                 {"8,5 in", "m", "8.5 in"},
+                                                 {"0,125 in", "m", "0.125 in"},
+                                                 {"1,2345 in", "m", "1.2345 in"},
+                                                 {"1,234,567 lbf", "N", "1234567 lbf"},
+                                                 {"30,000.5 lbf", "N", "30000.5 lbf"},
+                                                 {"1.234,5 lbf", "N", "1234.5 lbf"},
+                                                 {"30 000 lbf", "N", "30000 lbf"},
+                                                 {"30\u202F000 lbf", "N", "30000 lbf"},
+                                                 {"0,5", "1", "0.5"}}) {
+    EXPECT_EQ(refusal(s.text, s.si_unit), "") << s.text;
+    if (!refusal(s.text, s.si_unit).empty()) continue;
+    EXPECT_DOUBLE_EQ(to_si(s.text, s.si_unit), to_si(s.same, s.si_unit)) << s.text;
+  }
+}
+
+TEST(Units, suggests_what_a_spelling_with_several_meanings_may_mean) {
+  expect_refusal("30,000 lbf", "N", {"\"30000 lbf\" or \"30.000 lbf\"?", "decimals or thousands"});
+  expect_refusal("-1,500 m", "m", {"\"-1500 m\" or \"-1.500 m\"?"});
+  expect_refusal("20 klb", "N", {"did you mean \"20 klbf\"?"});
+  expect_refusal("20 lbs", "N", {"did you mean \"20 lbf\"?"});
+  expect_refusal("9 kg", "N", {"did you mean \"9 kgf\"?"});
+  expect_refusal("30 mph", "m/s", {"did you mean \"30 m/h\" or \"30 mile/h\"?"});
+  expect_refusal("5 mpa", "Pa", {"did you mean \"5 MPa\" or \"5 mPa\"?"});
+  expect_refusal("100 psig", "Pa", {"did you mean \"100 psi\"?"});
+  expect_refusal("2 Hz", "rad/s", {"did you mean \"2 rev/s\"?"});
+  expect_refusal("60 1/min", "rad/s", {"did you mean \"60 rpm\"?"});
 }
 
 TEST(Units, the_program_itself_must_request_a_unit) {
