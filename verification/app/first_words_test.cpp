@@ -141,7 +141,7 @@ TEST(FirstWords, a_setting_without_its_option_is_reported) {
 TEST(FirstWords, a_number_a_thousand_times_too_large_suggests_its_unit) {
   expect_told({"check", cases + "bit-b-steady.toml", "--set", "rock.edge_length=2.5"},
               "--set: rock.edge_length: found 2.5, expected length in m, in [1e-05, 0.1]; without "
-              "a unit it is in m: did you mean \"2.5 mm\"?");
+              "a unit it is in m: did you mean \"2.5 mm\" or \"2.5 in\"?");
   // no question if a unit was given or a thousandth is out of range too
   expect_told({"check", cases + "bit-b-steady.toml", "--set", "rock.edge_length=2.5 m"},
               "--set: rock.edge_length: found \"2.5 m\", expected length in m, in [1e-05, 0.1]");

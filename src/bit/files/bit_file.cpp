@@ -187,10 +187,9 @@ std::vector<KeyTable> bit_tables() {
   return all;
 }
 
-BitFile read_bit(const std::string& path, DirectionRule directions, InsideRule inside,
-                 Densities densities, const std::vector<std::string>& overrides,
-                 const std::string& origin) {
-  Config c = Config::read_file(path, overrides, origin);
+namespace {
+
+BitFile read_bit_of(Config& c, DirectionRule directions, InsideRule inside, Densities densities) {
   NameOfBit top;
   read_fields(c, top);
   const std::string& name = top.name;
@@ -201,6 +200,17 @@ BitFile read_bit(const std::string& path, DirectionRule directions, InsideRule i
   }
   return c.has("parts") || c.has("solids") ? read_mesh_bit(c, name, directions, inside, densities)
                                            : read_pdc_bit(c, name, directions, inside);
+}
+
+}  // namespace
+
+BitFile read_bit(const std::string& path, DirectionRule directions, InsideRule inside,
+                 Densities densities, const std::vector<std::string>& overrides,
+                 const std::string& origin) {
+  Config c = Config::read_file(path, overrides, origin);
+  BitFile file = read_bit_of(c, directions, inside, densities);
+  for (const ConfigDoubt& d : c.doubts()) file.doubts.push_back({d.place, d.key, d.text});
+  return file;
 }
 
 }  // namespace tdbd::bit

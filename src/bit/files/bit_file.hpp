@@ -17,7 +17,8 @@ struct BitFile {
   std::vector<std::string> files;                 ///< the bit file and those that it names
   std::string fingerprint;                        ///< of their contents
   std::vector<std::string> without_density = {};  ///< parts from meshes whose mass is unknown
-  std::vector<BitDoubt> doubts = {};  ///< values of the cutter table that contradict others
+  std::vector<BitDoubt> doubts = {};  ///< values of the cutter table that contradict others,
+                                      ///< and numbers without a unit that are unusual
 };
 
 /// Returns every table that a bit file may have, for `tdbd keys`.

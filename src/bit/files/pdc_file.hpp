@@ -222,8 +222,14 @@ struct Adjustment {
       "[adjust.blade.2] or [adjust.blade.1-3]; of [adjust.cutter.7] or [adjust.cutter.22-39]"};
   void visit(FieldVisitor& v) {
     v(azimuth, {.name = "azimuth", .unit = "rad", .meaning = "turns cutters about the bit's axis"});
-    v(back_rake, {.name = "back_rake", .unit = "rad", .meaning = "is added to the back rake"});
-    v(side_rake, {.name = "side_rake", .unit = "rad", .meaning = "is added to the side rake"});
+    v(back_rake, {.name = "back_rake",
+                  .unit = "rad",
+                  .meaning = "is added to the back rake",
+                  .usual = Range::within(0.0, 1.0)});
+    v(side_rake, {.name = "side_rake",
+                  .unit = "rad",
+                  .meaning = "is added to the side rake",
+                  .usual = Range::within(0.0, 1.0)});
     v(along, {.name = "along",
               .unit = "m",
               .meaning = "moves a cutter outwards along its profile's tangent"});

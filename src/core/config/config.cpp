@@ -127,6 +127,13 @@ std::size_t Config::problem_count() const {
   return document_->problems.size() + document_->other_mistakes.size();
 }
 
+std::vector<ConfigDoubt> Config::doubts() const {
+  std::vector<ConfigDoubt> doubts;
+  for (const auto& [key, text] : document_->doubts)
+    doubts.push_back({place_of(*document_, document_->line_of(key), key), key, text});
+  return doubts;
+}
+
 std::map<std::string, double> Config::quantities() const {
   std::map<std::string, double> quantities;
   for (const auto& [key, value] : document_->values)

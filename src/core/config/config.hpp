@@ -15,6 +15,13 @@ namespace tdbd {
 
 struct ConfigDocument;  // the file, the keys that were read, and the problems found so far
 
+/// A value that is legal but probably unintended.
+struct ConfigDoubt {
+  std::string place;  ///< "FILE:LINE: KEY" (Config::place)
+  std::string key;    ///< dotted, from the top of the file
+  std::string text;
+};
+
 /// A strict reader of a TOML file. Keys are relative to the table that this Config represents. A
 /// wrong or missing value does not throw immediately: the read records the problem and returns the
 /// fallback or a harmless value, so that finish() reports all mistakes of the file together.
@@ -92,19 +99,19 @@ class Config {
 
   /// Reads a string with a unit ("8.5 in") or a number in `si_unit`. Returns it in `si_unit`.
   double quantity(std::string_view key, const std::string& si_unit, std::optional<double> fallback,
-                  Range range = {});
+                  Range range = {}, Range usual = {});
   /// Reads three quantities.
   Vec3 vector(std::string_view key, const std::string& si_unit, std::optional<Vec3> fallback);
   /// Reads any number of quantities.
   std::vector<double> list(std::string_view key, const std::string& si_unit,
-                           std::optional<std::vector<double>> fallback);
+                           std::optional<std::vector<double>> fallback, Range usual = {});
   /// Reads any number of texts.
   std::vector<std::string> texts(std::string_view key,
                                  const std::optional<std::vector<std::string>>& fallback);
   /// Reads any number of pairs of quantities: [[a, b], [c, d], ...].
   std::vector<std::pair<double, double>> pairs(
       std::string_view key, const std::string& si_unit,
-      std::optional<std::vector<std::pair<double, double>>> fallback);
+      std::optional<std::vector<std::pair<double, double>>> fallback, Range usual = {});
   /// Reads 3 x 3 quantities, row by row: [[a, b, c], [d, e, f], [g, h, i]].
   Mat3 matrix(std::string_view key, const std::string& si_unit, std::optional<Mat3> fallback);
   /// Reads a whole number from lo to hi, including both.
@@ -175,6 +182,10 @@ class Config {
   /// Returns the resolved text with each path replaced by a hash of the file's contents. It is the
   /// same for the same contents, wherever the files are.
   std::string fingerprint() const;
+
+  /// Returns the doubts about numbers without a unit that were read so far, sorted by key: values
+  /// that are unusual in SI and usual in another unit (number_doubts.hpp).
+  std::vector<ConfigDoubt> doubts() const;
 
   /// Returns every single quantity read so far, in SI, by its dotted key.
   std::map<std::string, double> quantities() const;

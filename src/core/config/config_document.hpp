@@ -40,7 +40,8 @@ struct ConfigDocument {
   std::map<std::string, ResolvedValue> values;  ///< every key that was read
   std::set<std::string> tables;                 ///< every table that was read
   std::vector<ConfigProblem> problems;
-  std::vector<std::string> other_mistakes;  ///< messages about files that this one names
+  std::map<std::string, std::string> doubts;  ///< about values that were read, by key
+  std::vector<std::string> other_mistakes;    ///< messages about files that this one names
 
   /// Returns the value at a dotted key ("layers[1].depth"), or null.
   const toml::node* find(const std::string& key) const;

@@ -23,7 +23,7 @@ std::string_view last_part(const TableKey& key) { return key.name.substr(key.nam
 }  // namespace
 
 double Config::read(const QuantityKey& key, std::optional<double> fallback) {
-  return quantity(key, text_of(key.unit), fallback, key.range);
+  return quantity(key, text_of(key.unit), fallback, key.range, key.usual);
 }
 
 Vec3 Config::read(const VectorKey& key) {
@@ -35,12 +35,12 @@ Vec3 Config::read(const VectorKey& key, const std::optional<Vec3>& fallback) {
 }
 
 std::vector<double> Config::read(const ListKey& key, std::optional<std::vector<double>> fallback) {
-  return list(key, text_of(key.unit), std::move(fallback));
+  return list(key, text_of(key.unit), std::move(fallback), key.usual);
 }
 
 std::vector<std::pair<double, double>> Config::read(
     const PairsKey& key, std::optional<std::vector<std::pair<double, double>>> fallback) {
-  return pairs(key, text_of(key.unit), std::move(fallback));
+  return pairs(key, text_of(key.unit), std::move(fallback), key.usual);
 }
 
 Mat3 Config::read(const MatrixKey& key, const std::optional<Mat3>& fallback) {

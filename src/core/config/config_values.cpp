@@ -10,6 +10,7 @@
 
 #include "core/config/config.hpp"
 #include "core/config/config_document.hpp"
+#include "core/config/number_doubts.hpp"
 #include "core/config/toml_text.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
@@ -100,13 +101,29 @@ T read_value(ConfigDocument& document, const std::string& key, const std::option
   return value;
 }
 
-/// Suggests a unit for a bare number outside the range: a thousandth of the key's unit.
+/// Suggests units for a bare number outside the range.
 std::string unit_question(const toml::node& node, double x, const std::string& si_unit,
-                          const Range& range) {
-  constexpr double milli = 1e-3;
-  const bool has_milli = si_unit == "m" || si_unit == "s";
-  if (node.is_string() || !has_milli || !range.contains(milli * x)) return "";
-  return fmt::format("; without a unit it is in {0}: did you mean \"{1} m{0}\"?", si_unit, x);
+                          const Range& range, const Range& usual) {
+  if (node.is_string()) return "";
+  const std::string meant = units_meant(x, si_unit, range, usual_values(si_unit, range, usual));
+  if (meant.empty()) return "";
+  return si_unit == "1"
+             ? fmt::format("; did you mean {}?", meant)
+             : fmt::format("; without a unit it is in {}: did you mean {}?", si_unit, meant);
+}
+
+/// Stores the doubt about a bare number, at most one for each key.
+void note_doubt(ConfigDocument& document, const std::string& key, const toml::node& node, double x,
+                const std::string& si_unit, const Range& allowed, const Range& usual) {
+  if (node.is_string()) return;
+  const std::string doubt = bare_number_doubt(x, si_unit, allowed, usual);
+  if (!doubt.empty()) document.doubts.try_emplace(key, doubt);
+}
+
+/// The usual values of the elements of an array. Small ones are usual: they may be components.
+Range usual_elements(const std::string& si_unit, const Range& declared) {
+  const Range usual = usual_values(si_unit, {}, declared);
+  return Range::within(0.0, usual.hi);
 }
 
 /// A number in the range, with which a caller can continue until finish() reports the problem.
@@ -128,12 +145,13 @@ std::string Range::text() const {
 }
 
 double Config::quantity(std::string_view key, const std::string& si_unit,
-                        std::optional<double> fallback, Range range) {
+                        std::optional<double> fallback, Range range, Range usual) {
   const std::string expected = describe_unit(si_unit) + range.text();
   const auto convert = [&](const toml::node& node) {
     const double x = read_quantity(node, si_unit);
     if (!range.contains(x))
-      throw UnitError(describe(&node), expected + unit_question(node, x, si_unit, range));
+      throw UnitError(describe(&node), expected + unit_question(node, x, si_unit, range, usual));
+    note_doubt(*document_, full(key), node, x, si_unit, range, usual);
     return x;
   };
   const double value =
@@ -146,19 +164,29 @@ double Config::quantity(std::string_view key, const std::string& si_unit,
 Vec3 Config::vector(std::string_view key, const std::string& si_unit,
                     std::optional<Vec3> fallback) {
   const std::string expected = fmt::format("an array of three: {}", describe_unit(si_unit));
-  const auto convert = [&](const toml::node& node) { return read_three(node, si_unit, expected); };
+  const auto convert = [&](const toml::node& node) {
+    const Vec3 x = read_three(node, si_unit, expected);
+    for (int i = 0; i < 3; ++i)
+      note_doubt(*document_, full(key), (*node.as_array())[static_cast<std::size_t>(i)], x[i],
+                 si_unit, {}, usual_elements(si_unit, {}));
+    return x;
+  };
   return read_value<Vec3>(*document_, full(key), fallback,
                           {expected, si_unit, Vec3::UnitZ(), convert, toml_vector});
 }
 
 std::vector<double> Config::list(std::string_view key, const std::string& si_unit,
-                                 std::optional<std::vector<double>> fallback) {
+                                 std::optional<std::vector<double>> fallback, Range usual) {
   const std::string expected = fmt::format("an array: {}", describe_unit(si_unit));
   const auto convert = [&](const toml::node& node) {
     const toml::array* array = node.as_array();
     if (array == nullptr) throw UnitError(describe(&node), expected);
     std::vector<double> list;
-    for (const toml::node& element : *array) list.push_back(read_quantity(element, si_unit));
+    for (const toml::node& element : *array) {
+      list.push_back(read_quantity(element, si_unit));
+      note_doubt(*document_, full(key), element, list.back(), si_unit, {},
+                 usual_elements(si_unit, usual));
+    }
     return list;
   };
   return read_value<std::vector<double>>(*document_, full(key), fallback,
@@ -184,7 +212,7 @@ std::vector<std::string> Config::texts(std::string_view key,
 
 std::vector<std::pair<double, double>> Config::pairs(
     std::string_view key, const std::string& si_unit,
-    std::optional<std::vector<std::pair<double, double>>> fallback) {
+    std::optional<std::vector<std::pair<double, double>>> fallback, Range usual) {
   using Pairs = std::vector<std::pair<double, double>>;
   const std::string expected = fmt::format("an array of pairs: {}", describe_unit(si_unit));
   const auto convert = [&](const toml::node& node) {
@@ -195,6 +223,9 @@ std::vector<std::pair<double, double>> Config::pairs(
       const toml::array* pair = element.as_array();
       if (pair == nullptr || pair->size() != 2) throw UnitError(describe(&element), expected);
       pairs.emplace_back(read_quantity((*pair)[0], si_unit), read_quantity((*pair)[1], si_unit));
+      for (const double x : {pairs.back().first, pairs.back().second})
+        note_doubt(*document_, full(key), (*pair)[x == pairs.back().first ? 0 : 1], x, si_unit, {},
+                   usual_elements(si_unit, usual));
     }
     return pairs;
   };

@@ -63,6 +63,8 @@ struct QuantityKey {
   std::string_view computed_default = {};
   Range range = {};
   std::string_view meaning = {};
+  Range usual =
+      {};  ///< SI, without sign; for doubts about numbers without a unit (number_doubts.hpp)
   constexpr operator std::string_view() const { return name; }
 };
 
@@ -85,6 +87,7 @@ struct ArrayKey {
   Need need = Need::defaulted;
   std::string_view computed_default = {};
   std::string_view meaning = {};
+  Range usual = {};  ///< of the elements, as in QuantityKey
   constexpr operator std::string_view() const { return name; }
 };
 using ListKey = ArrayKey<std::vector<double>>;

@@ -187,6 +187,7 @@ bit::BitFile read_tables(Config& c, const BitReader& read_bit, Case& read) {
   read_string_output(c.table(OutputPlan::table), read);
   check_drilling_case(c, read);
   check_step_length(c, read);
+  add_number_doubts(c, read.warnings);
   if (c.problem_count() > 0) return file;
   std::ranges::move(doubtful_values(c, read), std::back_inserter(read.warnings));
   return file;

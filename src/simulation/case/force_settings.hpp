@@ -231,7 +231,8 @@ struct WearLawSettings {
       v(growth, {.name = "growth",
                  .unit = "K",
                  .range = Range::positive(),
-                 .meaning = "thermal: rise of temperature that multiplies the rate by e"});
+                 .meaning = "thermal: rise of temperature that multiplies the rate by e",
+                 .usual = Range::within(0.0, 1e4)});
     }
     if (v.when(law == WearKind::table)) {
       v(rates.temperatures, {.name = "temperatures",

@@ -46,19 +46,22 @@ inline constexpr QuantityKey rate_of_penetration{
     .unit = "m/s",
     .need = Need::required,
     .computed_default = "required, except legs and table",
-    .meaning = "of the bit; drilling: the top is lowered at this rate, or by a table over time"};
+    .meaning = "of the bit; drilling: the top is lowered at this rate, or by a table over time",
+    .usual = Range::within(0.0, 0.3)};
 inline constexpr QuantityKey weight_on_bit{
     .name = "weight_on_bit",
     .unit = "N",
     .computed_default = "in place of rate_of_penetration",
     .range = up_to_largest,
-    .meaning = "drilling: load of the top, or a table over time"};
+    .meaning = "drilling: load of the top, or a table over time",
+    .usual = Range::within(100.0, 3e6)};
 inline constexpr QuantityKey weight_at_start{
     .name = "weight_at_start",
     .unit = "N",
     .fallback = 0.0,
     .range = up_to_largest,
-    .meaning = "drilling: weight that the string carries at t = 0"};
+    .meaning = "drilling: weight that the string carries at t = 0",
+    .usual = Range::within(100.0, 3e6)};
 inline constexpr QuantityKey torque_at_start{
     .name = "torque_at_start",
     .unit = "N m",
@@ -83,12 +86,14 @@ struct Whirl {
                .unit = "m",
                .need = Need::required,
                .range = Range::non_negative(),
-               .meaning = "of the centre's orbit"});
+               .meaning = "of the centre's orbit",
+               .usual = Range::within(0.0, 0.2)});
     v(frequency, {.name = "frequency",
                   .unit = "rad/s",
                   .need = Need::required,
                   .range = Range::non_negative(),
-                  .meaning = "of the centre on its orbit"});
+                  .meaning = "of the centre on its orbit",
+                  .usual = Range::within(0.0, 300.0)});
     v(sense, {.name = "sense",
               .values = {{{"forward", WhirlSense::forward}, {"backward", WhirlSense::backward}}},
               .meaning = "with the bit's rotation or against it"});
@@ -122,7 +127,8 @@ struct Tilt {
     v(frequency, {.name = "frequency",
                   .unit = "rad/s",
                   .range = Range::non_negative(),
-                  .meaning = "of the precession of the azimuth"});
+                  .meaning = "of the precession of the azimuth",
+                  .usual = Range::within(0.0, 300.0)});
     v(sense, {.name = "sense",
               .values = {{{"forward", WhirlSense::forward}, {"backward", WhirlSense::backward}}},
               .meaning = "of the precession: with the bit's rotation or against it"});
@@ -206,7 +212,8 @@ struct TopPlan {
       v(expected_rate, {.name = "expected_rate",
                         .unit = "m/s",
                         .meaning = "drilling with weight_on_bit: rate at which the bit and the "
-                                   "upper end of its damper start"});
+                                   "upper end of its damper start",
+                        .usual = Range::within(0.0, 0.3)});
       v(top.following_time,
         {.name = "rate_memory",
          .unit = "s",

@@ -57,13 +57,15 @@ struct RockStart {
       v(wall, {.name = "wall",
                .unit = "m",
                .range = Range::within(0.0, largest_length),
-               .meaning = "shapes conforming, flat, rough: height of the cylindrical wall"});
+               .meaning = "shapes conforming, flat, rough: height of the cylindrical wall",
+               .usual = Range::within(0.0, 10.0)});
     }
     if (v.when(shape == RockShape::flat || shape == RockShape::rough)) {
       v(radius, {.name = "radius",
                  .unit = "m",
                  .range = Range::within(0.0, largest_length),
-                 .meaning = "shapes flat, rough: radius of the bottom; 0: the bit's gage radius"});
+                 .meaning = "shapes flat, rough: radius of the bottom; 0: the bit's gage radius",
+                 .usual = Range::within(0.0, 1.5)});
     }
     if (v.when(shape == RockShape::rough)) {
       v(roughness.amplitude, {.name = "amplitude",
@@ -71,21 +73,24 @@ struct RockStart {
                               .need = Need::required,
                               .computed_default = "required with shape rough",
                               .range = Range::within(0.0, 1.0),
-                              .meaning = "root mean square of the roughness"});
+                              .meaning = "root mean square of the roughness",
+                              .usual = Range::within(0.0, 0.2)});
       v(roughness.correlation_length,
         {.name = "correlation_length",
          .unit = "m",
          .need = Need::required,
          .computed_default = "required with shape rough",
          .range = Range::positive(),
-         .meaning = "correlation length of the roughness, two edges or more"});
+         .meaning = "correlation length of the roughness, two edges or more",
+         .usual = Range::within(0.0, 0.5)});
       v(roughness.seed, {.name = "seed", .meaning = "shape rough: seed of the random roughness"});
     }
     if (v.when(is_file || is_profile)) visit_given(v);
     v(trim, {.name = "trim",
              .unit = "m",
              .range = Range::non_negative(),
-             .meaning = "wall higher than this above the bit's lowest point is removed; 0: none"});
+             .meaning = "wall higher than this above the bit's lowest point is removed; 0: none",
+             .usual = Range::within(0.0, 10.0)});
   }
   /// A surface that the case gives.
   void visit_given(FieldVisitor& v) {
@@ -194,7 +199,8 @@ struct RockByNumbers {
                             .unit = "Pa",
                             .need = Need::required,
                             .range = any_strength,
-                            .meaning = "unconfined compressive strength"});
+                            .meaning = "unconfined compressive strength",
+                            .usual = Range::within(5e5, 2e9)});
     v(material.friction_angle, {.name = "friction_angle",
                                 .unit = "rad",
                                 .need = Need::required,

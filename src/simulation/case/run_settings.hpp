@@ -7,6 +7,7 @@
 
 #include "bit/cone/cone_bit.hpp"
 #include "bit/update_direction.hpp"
+#include "core/config/config.hpp"
 #include "core/config/field.hpp"
 #include "rock/cut/cutting_bit.hpp"
 #include "rock/section/section.hpp"
@@ -20,6 +21,11 @@ struct CaseWarning {
   std::string key;    ///< dotted, from the top of the file
   std::string text;   ///< what has no effect or is doubtful, and what to do
 };
+
+/// The doubts about numbers without a unit (Config::doubts) as warnings.
+inline void add_number_doubts(const Config& c, std::vector<CaseWarning>& warnings) {
+  for (const ConfigDoubt& d : c.doubts()) warnings.push_back({d.place, d.key, d.text});
+}
 
 /// Returns "FILE:LINE: KEY: TEXT", for users who have the file.
 inline std::string with_place(const CaseWarning& w) { return w.place + ": " + w.text; }
@@ -142,7 +148,8 @@ struct TimeSettings {
              .need = Need::required,
              .range = Range::positive(),
              .meaning = "time step; the bit must turn at most 0.5 rad in a step, and no part may "
-                        "move farther than its size"});
+                        "move farther than its size",
+             .usual = Range::within(0.0, 0.2)});
     v(duration, {.name = "duration",
                  .unit = "s",
                  .need = need_of_duration,

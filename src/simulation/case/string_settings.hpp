@@ -48,7 +48,8 @@ struct ChainSettings {
        .need = Need::optional,
        .computed_default = "of a bit that drills, its gage diameter; else none: no warning",
        .range = Range::positive(),
-       .meaning = "warns where the string is compressed beyond its sinusoidal buckling"});
+       .meaning = "warns where the string is compressed beyond its sinusoidal buckling",
+       .usual = Range::within(0.0, 1.5)});
   }
   void visit_model(FieldVisitor& v) {
     v(model,
@@ -133,11 +134,13 @@ struct SectionSettings {
                           .need = Need::required,
                           .computed_default = "required without axial_rigidity",
                           .range = Range::positive(),
-                          .meaning = "of the body"});
+                          .meaning = "of the body",
+                          .usual = Range::within(0.0, 1.5)});
       v(diameters.inner, {.name = "inner_diameter",
                           .unit = "m",
                           .range = Range::non_negative(),
-                          .meaning = "of the body"});
+                          .meaning = "of the body",
+                          .usual = Range::within(0.0, 1.5)});
       v(linear_mass, {.name = "linear_mass",
                       .unit = "kg/m",
                       .need = Need::optional,
@@ -150,7 +153,8 @@ struct SectionSettings {
                           .unit = "m",
                           .computed_default = "outer_diameter",
                           .range = Range::positive(),
-                          .meaning = "where it touches the hole: tool joints"});
+                          .meaning = "where it touches the hole: tool joints",
+                          .usual = Range::within(0.0, 1.5)});
     if (v.when(is_pipe)) visit_material(v);
     if (v.when(!is_pipe)) visit_products(v);
   }
@@ -166,12 +170,14 @@ struct SectionSettings {
                      .unit = "Pa",
                      .computed_default = "of the material",
                      .range = Range::positive(),
-                     .meaning = "Young's modulus"});
+                     .meaning = "Young's modulus",
+                     .usual = Range::within(1e9, 2e12)});
     v(moduli.shear, {.name = "shear",
                      .unit = "Pa",
                      .computed_default = "of the material",
                      .range = Range::positive(),
-                     .meaning = "shear modulus"});
+                     .meaning = "shear modulus",
+                     .usual = Range::within(1e9, 2e12)});
     v(moduli.density, {.name = "density",
                        .unit = "kg/m3",
                        .computed_default = "of the material",
@@ -228,7 +234,8 @@ struct SurveySettings {
                                 .unit = "rad",
                                 .need = Need::required,
                                 .computed_default = "required without file",
-                                .meaning = "from the vertical"});
+                                .meaning = "from the vertical",
+                                .usual = Range::within(0.0, 3.15)});
       v(stations.azimuths, {.name = "azimuth",
                             .unit = "rad",
                             .need = Need::required,

@@ -22,7 +22,8 @@ inline constexpr QuantityKey hook_load{.name = "hook_load",
                                        .unit = "N",
                                        .computed_default = "that of the start",
                                        .range = up_to_largest,
-                                       .meaning = "axial = hook-load: the force"};
+                                       .meaning = "axial = hook-load: the force",
+                                       .usual = Range::within(1e3, 1e7)};
 
 }  // namespace top_keys
 
@@ -130,7 +131,8 @@ struct TopSettings {
       v(rate_limits, {.name = "rate_limits",
                       .unit = "m/s",
                       .computed_default = "autodriller: 0 to 60 m/h",
-                      .meaning = "slowest and fastest rate of the block"});
+                      .meaning = "slowest and fastest rate of the block",
+                      .usual = Range::within(0.0, 0.3)});
     }
   }
   void visit_axial(FieldVisitor& v) {

@@ -70,6 +70,7 @@ ChainCase read_chain_case(const std::string& path, const std::vector<std::string
   Config output = c.table(StringOutput::table);
   r.output = read_chain_output(output, r.plan.chain, r.time.step);
   c.finish();
+  add_number_doubts(c, r.warnings);
   std::ranges::move(chain_warnings(c, {r.plan.string, r.plan.chain, static_loads(r.plan),
                                        r.plan.string.hole_diameter, passing_frequency(r.plan)}),
                     std::back_inserter(r.warnings));

@@ -185,7 +185,8 @@ struct Design {
       v(penetration, {.name = "penetration",
                       .unit = "m",
                       .range = Range::positive(),
-                      .meaning = "per revolution, of the command bit"});
+                      .meaning = "per revolution, of the command bit",
+                      .usual = Range::within(0.0, 0.1)});
     }
     if (v.when(command == Command::planar || has_filter == HasFilter::yes)) {
       v(normal_ratio, {.name = "normal_ratio",

@@ -103,7 +103,55 @@ TEST(ConfigErrors, tables) {
                   "FILE:1: a: found a table, expected an array of tables, [[a]]"});
 }
 
-/// The message suggests a thousandth if that is in range and no unit was given.
+struct Bare {
+  const char* unit;
+  const char* value;
+  const char* doubt;  ///< empty: none
+};
+
+TEST(ConfigDoubts, are_about_numbers_that_are_usual_in_another_unit_only) {
+  for (const Bare& b : std::vector<Bare>{
+           {"rad/s", "120",
+            "120 without a unit is 120 rad/s; did you mean \"120 rpm\" or \"120 deg/s\"?"},
+           {"rad/s", "30", ""},
+           {"rad/s", "\"120 rad/s\"", ""},
+           {"rad", "-20", "-20 without a unit is -20 rad; did you mean \"-20 deg\"?"},
+           {"rad", "6.28", ""},
+           {"N", "0", ""},
+           {"N", "15", "15 without a unit is 15 N; did you mean \"15 klbf\" or \"15 kN\"?"},
+           {"N", "5e4", ""},
+           {"Pa", "200",
+            "200 without a unit is 200 Pa; did you mean \"200 psi\" or \"200 bar\" or "
+            "\"200 MPa\" or \"200 GPa\"?"},
+           {"kg/m3", "7.85",
+            "7.85 without a unit is 7.85 kg/m3; did you mean \"7.85 g/cm3\" or "
+            "\"7.85 ppg\"?"},
+           {"K", "60", "60 without a unit is 60 K; did you mean \"60 degC\"?"},
+           {"1", "1000", ""}}) {
+    Config c = Config::read_text(std::string("x = ") + b.value + "\n", "x.toml");
+    c.quantity("x", b.unit, {});
+    const std::vector<ConfigDoubt> doubts = c.doubts();
+    const std::string doubt = b.doubt;
+    ASSERT_EQ(doubts.size(), doubt.empty() ? 0u : 1u) << b.value << " " << b.unit;
+    if (doubt.empty()) continue;
+    EXPECT_EQ(doubts[0].text, doubt);
+    EXPECT_EQ(doubts[0].place, "x.toml:1: x");
+  }
+}
+
+TEST(ConfigDoubts, are_about_the_first_such_number_of_an_array) {
+  Config c = Config::read_text("a = [0, 90]\nv = [0.1, 15, 0]\np = [[1, 2], [300, 4]]\n", "x.toml");
+  c.list("a", "rad", {});
+  c.vector("v", "m/s", {});
+  c.pairs("p", "m", {}, Range::within(0.0, 10.0));
+  const std::vector<ConfigDoubt> doubts = c.doubts();
+  ASSERT_EQ(doubts.size(), 3u);
+  EXPECT_EQ(doubts[0].text, "90 without a unit is 90 rad; did you mean \"90 deg\"?");
+  EXPECT_EQ(doubts[1].text, "300 without a unit is 300 m; did you mean \"300 mm\" or \"300 in\"?");
+  EXPECT_TRUE(doubts[2].text.starts_with("15 without a unit is 15 m/s;"));
+}
+
+/// The message suggests the units in which the number is in range, if no unit was given.
 TEST(ConfigErrors, a_length_or_time_out_of_range_suggests_its_unit) {
   const auto told = [](const std::string& unit, const std::string& value) {
     Config c = Config::read_text("x = " + value + "\n", "x.toml");
@@ -111,8 +159,9 @@ TEST(ConfigErrors, a_length_or_time_out_of_range_suggests_its_unit) {
     return finish_message(c);
   };
   const std::string metres = "expected length in m, in [1e-05, 0.1]";
-  EXPECT_EQ(told("m", "2.5"), "x.toml:1: x: found 2.5, " + metres +
-                                  "; without a unit it is in m: did you mean \"2.5 mm\"?");
+  EXPECT_EQ(told("m", "2.5"),
+            "x.toml:1: x: found 2.5, " + metres +
+                "; without a unit it is in m: did you mean \"2.5 mm\" or \"2.5 in\"?");
   EXPECT_EQ(told("s", "100"),
             "x.toml:1: x: found 100, expected time in s, in [1e-05, 0.1]; without a unit it is "
             "in s: did you mean \"100 ms\"?");
