@@ -53,12 +53,14 @@ Told resume_run(const std::string& folder, const std::vector<std::string>& chang
 
 /// Starts or resumes a rotation, without the GIL.
 template <class Rotate>
-Told rotated(const sim::RotateCase& c, sim::RotateOptions options, Watch& watch, const Told& told,
+Told rotated(const sim::RotateCase& c, sim::RotateOptions options, Watch& watch, Told& told,
              Rotate&& rotate) {
   options.progress = [&](long done, long total) { watch.look(done, total); };
   {
     const py::gil_scoped_release released;
-    rotate(c, options);
+    const sim::RotateOutcome outcome = rotate(c, options);
+    for (const sim::CaseWarning& w : sim::end_warnings(c, outcome.end))
+      told.push_back(sim::with_place(w));
   }
   watch.rethrow();
   return told;
@@ -71,7 +73,7 @@ Told rotate(const sim::RotateCase& c, const std::string& folder, bool force,
   const auto options = options_for<sim::RotateOptions>(folder, force, watch, told);
   return rotated(
       c, options, watch, told,
-      [](const sim::RotateCase& of, const sim::RotateOptions& o) { sim::rotate(of, o); });
+      [](const sim::RotateCase& of, const sim::RotateOptions& o) { return sim::rotate(of, o); });
 }
 
 /// Resumes a rotation, with a later end if `changes` are given.
@@ -83,9 +85,10 @@ Told resume_rotate(const std::string& folder, const std::vector<std::string>& ch
                                             : sim::extend_rotate(folder, changes, warn);
   Watch watch(progress);
   const auto options = options_for<sim::RotateOptions>(folder, false, watch, told);
-  return rotated(
-      c, options, watch, told,
-      [](const sim::RotateCase& of, const sim::RotateOptions& o) { sim::resume_rotate(of, o); });
+  return rotated(c, options, watch, told,
+                 [](const sim::RotateCase& of, const sim::RotateOptions& o) {
+                   return sim::resume_rotate(of, o);
+                 });
 }
 
 }  // namespace

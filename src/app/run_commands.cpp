@@ -169,10 +169,9 @@ int show(const ResultArguments& a, const simulation::RotateCase& c, Rotate&& rot
       if (progress.is_due(done, total)) progress.show(done, total, "");
     };
   const simulation::RotateOutcome outcome = rotate(options);
-  if (!a.quiet) {
-    progress.finish();
-    print_outcome(c, outcome, options.folder.string());
-  }
+  if (!a.quiet) progress.finish();
+  print_warnings(simulation::end_warnings(c, outcome.end));
+  if (!a.quiet) print_outcome(c, outcome, options.folder.string());
   return outcome.status == simulation::RunStatus::completed ? 0 : interrupted_code;
 }
 

@@ -135,6 +135,20 @@ void doubt_section_lead(const Config& c, const Case& read, std::vector<CaseWarni
                   lead, longest, lead, longest)));
 }
 
+/// A mean over no steps has no value. The last step counts if it ends after means_from.
+void doubt_means(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
+  constexpr double rounding = 1e-9;
+  const double end = read.time.step * static_cast<double>(read.time.steps);
+  const double from = read.output.means_from;
+  if (from < end * (1.0 - rounding)) return;
+  warnings.push_back(warning(
+      c, "output.means_from",
+      fmt::format(
+          "means begin at {:.6g} s and the run ends at {:.6g} s: all means will have no value "
+          "(null); use less than {:.6g} s, or a longer run",
+          from, end, end)));
+}
+
 void doubt_weight(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
   if (read.motion.kind != MotionKind::drilling) return;
   const double most = most_weight_per_diameter * 2.0 * read.bit.gage_radius;
@@ -290,6 +304,7 @@ std::vector<CaseWarning> doubtful_values(const Config& c, const Case& read) {
   doubt_edges(c, read, warnings);
   doubt_tooth_forces(c, read, warnings);
   doubt_section_lead(c, read, warnings);
+  doubt_means(c, read, warnings);
   doubt_weight(c, read, warnings);
   doubt_attachment(c, read, warnings);
   doubt_wall_step(c, read, warnings);

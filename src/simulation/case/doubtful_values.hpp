@@ -19,7 +19,7 @@ double narrowest_width(const bit::Bit& bit);
 
 /// Returns a warning for each value that is legal but probably unintended: edges of the rock longer
 /// than half of the width of the narrowest part that cuts (the surface does not resolve the cut),
-/// edges that are coarse for the forces on teeth, sections closer than the longest edge, a weight
+/// edges that are coarse for the forces on teeth, means that begin at or after the end of the run, sections closer than the longest edge, a weight
 /// on bit above most_weight_per_diameter, an attachment from which the bit topples, and a time step
 /// that does not resolve the contact of the bit with its wall.
 std::vector<CaseWarning> doubtful_values(const Config& c, const Case& read);

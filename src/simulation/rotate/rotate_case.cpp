@@ -26,14 +26,14 @@ dynamics::Integrator read_integrator(Config& whole) {
   return i;
 }
 
-/// An integrator of any order needs several steps per revolution.
 void doubt_step(Config& whole, RotateCase& r) {
-  constexpr double largest_turn = 0.5;  // rad
+  constexpr double largest_turn = largest_turn_in_step;
+  r.place_of_step = whole.table(RotateTimeSettings::table).place("step");
   const double speed = dynamics::angular_velocity(r.body, r.start).norm();
   if (!(speed * r.time.step > largest_turn)) return;
   const std::string key = "step", table(RotateTimeSettings::table.name);
   r.warnings.push_back(
-      {whole.table(RotateTimeSettings::table).place(key), table + "." + key,
+      {r.place_of_step, table + "." + key,
        fmt::format("the body turns by {:.3g} rad in a step of {:.3g} s at the start; for "
                    "meaningful results use at most {} rad: {:.2g} s",
                    speed * r.time.step, r.time.step, largest_turn, largest_turn / speed)});
@@ -94,6 +94,7 @@ RotateCase read_rotate_case(const std::string& path, const std::vector<std::stri
   r.resolved = c.resolved();
   r.hash = fnv1a_hex(c.fingerprint());
   r.quantities = c.quantities();
+  add_number_doubts(c, r.warnings);
   doubt_step(c, r);
   return r;
 }

@@ -39,7 +39,12 @@ struct RotateCase {
   std::string hash;            ///< of the resolved values and the contents of all files
   std::map<std::string, double> quantities;  ///< by dotted key, in SI
   std::vector<CaseWarning> warnings;
+  std::string place_of_step;  ///< "FILE:LINE: time.step", for warnings of the run
 };
+
+/// Largest turn of the body in a step, rad: an integrator of any order needs several steps per
+/// revolution.
+inline constexpr double largest_turn_in_step = 0.5;
 
 /// Returns "split", "three-axis", "lie-midpoint" or "lie-mean".
 std::string drift_name(dynamics::Drift drift);

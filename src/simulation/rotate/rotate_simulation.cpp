@@ -1,5 +1,7 @@
 #include "simulation/rotate/rotate_simulation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,6 +23,16 @@ void watch(const RotateCase& c, const RotationState& s, Invariants& v) {
     raise(v.cone_momentum_drift, std::abs(s.cone_momenta[k] - v.cone_momenta[k]));
   raise(v.quaternion_defect, std::abs(s.q_WB.squaredNorm() - 1.0));
   raise(v.energy_drift, std::abs(total_energy(c, s) - v.energy));
+  raise(v.largest_speed, dynamics::angular_velocity(c.body, s).norm());
+}
+
+bool conserves_energy(const dynamics::Loads& loads) {
+  const auto acts = [](const dynamics::ConeLoad& cone) {
+    return cone.internal != 0.0 || cone.external != 0.0 || cone.damping != 0.0;
+  };
+  return loads.body_torque_B.isZero(0.0) && loads.space_torque_W.isZero(0.0) &&
+         loads.damping_W.isZero(0.0) && loads.harmonics.empty() && loads.samples.empty() &&
+         std::ranges::none_of(loads.cones, acts);
 }
 
 bool is_finite(const RotationState& s) {
@@ -31,6 +43,31 @@ bool is_finite(const RotationState& s) {
 }
 
 }  // namespace
+
+std::vector<CaseWarning> end_warnings(const RotateCase& c, const RotateSimulation& s) {
+  constexpr double largest_drift = 0.01;
+  std::vector<CaseWarning> warnings;
+  const Invariants& v = s.invariants;
+  const std::string key = "time.step";
+  const double drift = v.energy_drift / v.energy_scale;
+  if (conserves_energy(c.loads) && drift > largest_drift)
+    warnings.push_back(
+        {c.place_of_step, key,
+         fmt::format("the energy of this conservative motion has changed by {:.2g} % of "
+                     "its scale; for meaningful results use a shorter step than "
+                     "{:.3g} s, so that it changes by less than {:.2g} %",
+                     100.0 * drift, c.time.step, 100.0 * largest_drift)});
+  const double turn = v.largest_speed * c.time.step;
+  const bool warned = std::ranges::count(c.warnings, key, &CaseWarning::key) > 0;
+  if (turn > largest_turn_in_step && !warned)
+    warnings.push_back(
+        {c.place_of_step, key,
+         fmt::format("the body has turned by up to {:.3g} rad in a step of {:.3g} s; "
+                     "for meaningful results use at most {} rad: {:.2g} s",
+                     turn, c.time.step, largest_turn_in_step,
+                     largest_turn_in_step / v.largest_speed)});
+  return warnings;
+}
 
 double total_energy(const RotateCase& c, const RotationState& s) {
   return dynamics::kinetic_energy(c.body, s) + dynamics::potential_energy(c.loads, s);

@@ -19,11 +19,12 @@ struct Invariants {
   double vertical_drift = 0.0;       ///< |pi_z - pi_z0|
   double cone_momentum_drift = 0.0;  ///< of any cone
   double quaternion_defect = 0.0;    ///< ||q|^2 - 1|
+  double largest_speed = 0.0;        ///< rad/s, of the body after a step
 
   template <class Archive>
   void serialize(Archive& a) {
     a(momentum_W, cone_momenta, energy, energy_scale, energy_drift, momentum_drift_squared,
-      vertical_drift, cone_momentum_drift, quaternion_defect);
+      vertical_drift, cone_momentum_drift, quaternion_defect, largest_speed);
   }
 };
 
@@ -38,6 +39,11 @@ struct RotateSimulation {
     a(rotating, invariants, steps_done);
   }
 };
+
+/// Returns warnings about a run whose step is too long: the energy of a body without applied torques
+/// and damping has changed by more than 1 % of its scale, or the body has turned by more than 0.5 rad
+/// in a step although it did not at the start. Both are outside the range of the integrators.
+std::vector<CaseWarning> end_warnings(const RotateCase& c, const RotateSimulation& s);
 
 /// Returns the kinetic and potential energy, J.
 double total_energy(const RotateCase& c, const dynamics::RotationState& s);

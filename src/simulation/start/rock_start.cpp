@@ -136,13 +136,29 @@ mesh::Box reach_W(const Case& c) {
   return box;
 }
 
+/// Rock far from the bit needs cells for the whole way to it. No edge length helps then.
+static void require_near(const Case& c, const mesh::Box& rock, const mesh::Box& bit) {
+  constexpr double bits = 10.0;
+  const Vec3 gap = (bit.lo - rock.hi).cwiseMax(rock.lo - bit.hi).cwiseMax(0.0);
+  if (gap.norm() <= bits * 2.0 * c.bit.gage_radius) return;
+  const Vec3 r = 0.5 * (rock.lo + rock.hi), b = 0.5 * (bit.lo + bit.hi);
+  const bool of_file = c.rock.shape == RockShape::file;
+  throw InputError(fmt::format(
+      "{}: found rock {:.4g} m from the bit: its middle is at ({:.4g}, {:.4g}, {:.4g}) m, that of "
+      "the bit's way at ({:.4g}, {:.4g}, {:.4g}) m, expected rock that the bit can reach: move the "
+      "rock to the bit, or the bit to the rock (motion.start), or correct rock.unit",
+      of_file ? c.places.file : c.places.motion, gap.norm(), r.x(), r.y(), r.z(), b.x(), b.y(),
+      b.z()));
+}
+
 void require_memory(const Case& c, double area, mesh::Box box_W) {
-  const mesh::Box reach = reach_W(c);
+  const mesh::Box reach = reach_W(c), rock_W = box_W;
   box_W.add(reach.lo);
   box_W.add(reach.hi);
   area += area_of_new_wall(c, reach);
   const RockRequirements need = rock_requirements(area, box_W, c.rock.edge_length);
   if (fits_machine(need)) return;
+  require_near(c, rock_W, reach);
   double edge = c.rock.edge_length;
   constexpr double finest_step = 1.1;
   for (int k = 0; k < 400 && !fits_machine(rock_requirements(area, box_W, edge)); ++k)
