@@ -43,42 +43,10 @@ double largest(const Cutters& cutters, const Value& value) {
   return x;
 }
 
-/// The third largest radius of a tip, which two wrong rows do not change.
-double outer_radius(const Cutters& cutters) {
-  std::vector<double> radii;
-  for (const Cutter& c : cutters) radii.push_back(c.tip_radius);
-  std::ranges::nth_element(radii, radii.begin() + 2, std::greater{});
-  return radii[2];
-}
-
 /// A column whose values fit in another unit.
 TableDoubt whole_column(const Cutters& cutters, const char* column, std::string found,
                         std::string expected, Severity severity) {
   return {cutters.front().line, column, std::move(found), std::move(expected), severity};
-}
-
-Doubts size_doubts(const Cutters& cutters) {
-  constexpr double least_bit = 20e-3, largest_bit = 1200e-3;
-  constexpr double least_cutter = 3e-3, largest_cutter = 60e-3, larger_bit = 50e-3;
-  const double across = 2.0 * outer_radius(cutters);
-  const double diameter = median(cutters, [](const Cutter& c) { return c.diameter; });
-  if (across < least_bit || across > largest_bit) {
-    const double other = across < least_bit ? across / 1e-3 * inch : across * 1e-3;
-    const char* unit =
-        across < least_bit ? "inches (then name the column r_tip_in)" : "micrometres";
-    const bool fits = other > least_bit && other < largest_bit;
-    return {whole_column(
-        cutters, "r_tip_mm", fmt::format("a bit of {:.4g} mm", 1e3 * across),
-        fmt::format("20 to 1200 mm{}", fits ? fmt::format("; are lengths in {}?", unit) : ""),
-        Severity::impossible)};
-  }
-  if (across > larger_bit && (diameter < least_cutter || diameter > largest_cutter))
-    return {whole_column(
-        cutters, "dia_mm", fmt::format("cutters of {:.4g} mm", 1e3 * diameter),
-        fmt::format("3 to 60 mm{}",
-                    diameter < least_cutter ? "; are diameters in inches (dia_in)?" : ""),
-        Severity::doubtful)};
-  return {};
 }
 
 /// Angles of a column that were probably written in rad.
@@ -319,7 +287,7 @@ void add_more(Doubts more, Doubts& doubts) {
 
 std::vector<TableDoubt> table_doubts(const std::vector<Cutter>& cutters) {
   const std::size_t faces = tips_along_profile(cutters).size();
-  if (faces < fewest || faces > most) return {};
+  if (faces < fewest || faces > most) return size_doubts(cutters);
   if (Doubts sizes = size_doubts(cutters); !sizes.empty()) return sizes;
   Doubts doubts = height_sign_doubts(cutters);
   if (doubts.empty()) doubts = column_doubts(cutters, faces);
@@ -333,6 +301,7 @@ std::vector<TableDoubt> table_doubts(const std::vector<Cutter>& cutters) {
   for (Doubts& more : std::array{radian_doubts(cutters), swapped_rakes(cutters)})
     std::ranges::move(more, std::back_inserter(doubts));
   const bool whole_columns = doubts.size() > about_profile;
+  add_more(feature_doubts(cutters), doubts);
   add_more(rake_doubts(cutters), doubts);
   if (!whole_columns) add_more(azimuth_doubts(cutters), doubts);
   std::ranges::stable_sort(doubts, {}, &TableDoubt::line);

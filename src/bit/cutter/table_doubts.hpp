@@ -25,9 +25,18 @@ struct TableDoubt {
 ///   the cutter fit, and the value.
 /// - whole columns: signs, radians, inches, diameters, swapped columns;
 /// - rakes and azimuths that differ from those of the neighbours, and missing rows.
-/// Back-up cutters (with under-exposure) are not compared along the profile. Tables of less than
-/// eight face cutters, and of more than 400, are not checked. Not in the thesis.
+/// Back-up cutters (with under-exposure) are not compared along the profile. Of tables of less than
+/// eight face cutters, and of more than 400, only the sizes are checked. Not in the thesis.
 std::vector<TableDoubt> table_doubts(const std::vector<Cutter>& cutters);
+
+/// Doubts about the unit of a whole table: bits that are too small or too large, and diameters that
+/// do not fit the bit. The question names the unit that fits both: inches, cm, m or mm. Empty if
+/// there are less than three cutters.
+std::vector<TableDoubt> size_doubts(const std::vector<Cutter>& cutters);
+
+/// Doubts about the unit of other lengths: columns of chamfers, lengths, tables and under-exposures
+/// that are usual in inches or mm only, and rows whose diameter is far from that of the others.
+std::vector<TableDoubt> feature_doubts(const std::vector<Cutter>& cutters);
 
 /// "FILE:LINE: COLUMN: found F, expected E".
 std::string doubt_text(const std::string& file, const TableDoubt& doubt);

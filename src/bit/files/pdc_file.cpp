@@ -275,9 +275,16 @@ void check_gage(Config& c, const std::string& table, const std::vector<Cutter>& 
   const auto outside = std::ranges::count_if(
       cutters, [&](const Cutter& k) { return k.tip_radius > too_large * gage_radius; });
   const std::string found = mm_text(2.0 * gage_radius);
-  const std::string expected = fmt::format(
-      "about {}: the outermost tip of {}, cutter {} in line {}, is at a radius of {}",
-      mm_text(2.0 * widest.tip_radius), table, widest.id, widest.line, mm_text(widest.tip_radius));
+  const auto fits = [&](double factor) { return std::abs(factor * share - 1.0) < 1.0 - small; };
+  const char* question = fits(25.4)         ? "; is the table in inches (r_tip_in)?"
+                         : fits(1.0 / 25.4) ? "; is the table in mm (r_tip_mm)?"
+                         : fits(10.0)       ? "; is the table in cm (r_tip_cm)?"
+                         : fits(0.5)        ? "; are the radii diameters?"
+                                            : "";
+  const std::string expected =
+      fmt::format("about {}: the outermost tip of {}, cutter {} in line {}, is at a radius of {}{}",
+                  mm_text(2.0 * widest.tip_radius), table, widest.id, widest.line,
+                  mm_text(widest.tip_radius), question);
   if (share < too_small || outside >= several)
     report_after_doubts(c, std::vector{PadProblem{"gage_diameter", found, expected}}, doubts);
   else if (share < small)

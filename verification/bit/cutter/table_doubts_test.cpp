@@ -52,6 +52,10 @@ void exchange(Rows& rows, Column a, Column b) {
   for (std::size_t k = 1; k < rows.size(); ++k) std::swap(rows[k][a], rows[k][b]);
 }
 
+void add_column(Rows& rows, const char* name, const char* value) {
+  for (auto& row : rows) row.push_back(&row == &rows.front() ? name : value);
+}
+
 /// Errors, or warnings with "warning: " before them, of a bit with this table; TABLE and BIT stand
 /// for the files.
 std::string messages(const Rows& rows, const std::string& gage = "8.5 in",
@@ -194,6 +198,62 @@ const std::vector<WrongTable>& wrong_tables() {
        "TABLE:2: back_rake_deg: found -12 and 27 more values outside the range, expected an angle "
        "in -5..60: positive rakes lean back; change the sign of the column, or are back and side "
        "rakes swapped?\n"},
+      {"lengths in cm",
+       [](Rows& r) {
+         for (const Column c : {dia, r_tip, h_tip}) scale(r, c, 0.1);
+       },
+       "TABLE:2: r_tip_mm: found a bit of 21.59 mm with cutters of 1.9 mm, expected cutters of 3 "
+       "to "
+       "60 mm; are lengths in cm (then name the column r_tip_cm)?\n"},
+      {"lengths in m",
+       [](Rows& r) {
+         for (const Column c : {dia, r_tip, h_tip}) scale(r, c, 1e-3);
+       },
+       "TABLE:2: r_tip_mm: found a bit of 0.2159 mm, expected 20 to 1200 mm; are lengths in m "
+       "(then "
+       "name the column r_tip_m)?\n"},
+      {"mm in columns of inches",
+       [](Rows& r) {
+         r[0][dia] = "dia_in";
+         r[0][r_tip] = "r_tip_in";
+         r[0][h_tip] = "h_tip_in";
+       },
+       "TABLE:2: r_tip_mm: found a bit of 5484 mm, expected 20 to 1200 mm; are lengths in mm (then "
+       "name the column r_tip_mm)?\n"},
+      {"a large bit in inches",
+       [](Rows& r) {
+         for (const Column c : {dia, r_tip, h_tip}) scale(r, c, 4.0 / 25.4);
+         scale(r, dia, 0.25);
+       },
+       "TABLE:2: r_tip_mm: found a bit of 34 mm with cutters of 0.748031 mm, expected cutters of 3 "
+       "to 60 mm; are lengths in inches (then name the column r_tip_in)?\n"},
+      {"the profile of a large bit in inches",
+       [](Rows& r) {
+         for (const Column c : {r_tip, h_tip}) scale(r, c, 4.0 / 25.4);
+       },
+       "TABLE:2: r_tip_mm: found a bit of 34 mm with 28 cutters of 19 mm, expected a bit wider "
+       "than "
+       "its cutters; are lengths in inches (then name the column r_tip_in)?\n"},
+      {"diameters in inches", [](Rows& r) { scale(r, dia, 1 / 25.4); },
+       "warning: TABLE:2: dia_mm: found cutters of 0.748 mm, expected 3 to 60 mm; are diameters in "
+       "inches (dia_in)?\n"},
+      {"one diameter in inches", [](Rows& r) { r[7][dia] = "0.748"; },
+       "warning: TABLE:8: dia_mm: found 0.748 mm of cutter 7, expected about 19 mm, like the "
+       "others; "
+       "is this row in inches?\n"},
+      {"chamfers in inches", [](Rows& r) { add_column(r, "chamfer_mm", "0.018"); },
+       "warning: TABLE:2: chamfer_mm: found at most 0.018 mm, expected usually 0.08 to 4 mm; are "
+       "lengths in inches (then name the column chamfer_in)?\n"},
+      {"lengths of cutters in inches",
+       [](Rows& r) {
+         add_column(r, "length_mm", "0.52");
+         add_column(r, "table_mm", "0.08");
+       },
+       "warning: TABLE:2: length_mm: found at most 0.52 mm, expected usually 2 to 80 mm; are "
+       "lengths "
+       "in inches (then name the column length_in)?\n"
+       "warning: TABLE:2: table_mm: found at most 0.08 mm, expected usually 0.3 to 12 mm; are "
+       "lengths in inches (then name the column table_in)?\n"},
       {"decimal commas between commas", [](Rows& r) { r[3][r_tip] = "19,826"; },
        "TABLE:4: row: found 12 cells (decimal commas? Then separate the columns with semicolons), "
        "expected 11, as in the header\n"},
