@@ -213,6 +213,7 @@ CalibrationCase read_calibration(const std::string& path,
   result.fit = settings.fit_bits;
   result.predict = settings.predict_bits;
   result.pressures = settings.pressures;
+  result.loss = settings.loss;
   result.tools = read_tools(c);
   result.unknowns = read_unknowns(c, result.law);
   result.areas = read_area_laws(c, result.law, result.tools, AreaValues::fitted, result.unknowns);
@@ -229,6 +230,8 @@ CalibrationCase read_calibration(const std::string& path,
   result.files = c.files();
   result.resolved = c.resolved();
   result.hash = fnv1a_hex(c.fingerprint());
+  result.doubts = result.records.doubts;
+  for (const ConfigDoubt& d : c.doubts()) result.doubts.push_back(d.place + ": " + d.text);
   result.records_hash = fnv1a_hex(bytes_of(settings.records));
   return result;
 }

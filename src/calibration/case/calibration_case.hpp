@@ -65,6 +65,10 @@ std::string areas_toml(const AreaLaws& areas, const forces::Law& law);
 /// each (thesis 6.4.1).
 enum class Pressures { combined, separate };
 
+/// The objective of the fit. squares: least squares. huber: readings beyond 1.345 standard deviations
+/// count linearly, so that a few wrong ones have little effect (fit/robust.hpp).
+enum class Loss { squares, huber };
+
 /// A single cutter on flat rock.
 struct SingleCutter {
   double diameter = 0.0;   ///< m
@@ -78,7 +82,8 @@ struct SingleCutter {
                  .unit = "m",
                  .need = Need::required,
                  .range = Range::positive(),
-                 .meaning = "of the cutter"});
+                 .meaning = "of the cutter",
+                 .usual = Range::within(0.0, 0.2)});
     v(back_rake, {.name = "back_rake",
                   .unit = "rad",
                   .need = Need::required,
@@ -87,11 +92,13 @@ struct SingleCutter {
     v(wear_flat, {.name = "wear_flat",
                   .unit = "m2",
                   .range = Range::non_negative(),
-                  .meaning = "area that presses on the rock, as a chamfer does"});
+                  .meaning = "area that presses on the rock, as a chamfer does",
+                  .usual = Range::within(0.0, 0.01)});
     v(chamfer, {.name = "chamfer",
                 .unit = "m",
                 .range = Range::non_negative(),
-                .meaning = "its width in contact with the rock"});
+                .meaning = "its width in contact with the rock",
+                .usual = Range::within(0.0, 0.05)});
   }
 };
 
@@ -215,6 +222,7 @@ struct CalibrationSettings {
   std::string law, records;
   std::vector<std::string> fit_bits, predict_bits, leave_out;
   Pressures pressures = Pressures::combined;
+  Loss loss = Loss::squares;
 
   static constexpr TableKey table{"calibration", "what is fitted to which records"};
   void visit(FieldVisitor& v) {
@@ -235,6 +243,9 @@ struct CalibrationSettings {
       {.name = "pressures",
        .values = {{{"combined", Pressures::combined}, {"separate", Pressures::separate}}},
        .meaning = "one set of coefficients for all bottom hole pressures, or one for each"});
+    v(loss, {.name = "loss",
+             .values = {{{"squares", Loss::squares}, {"huber", Loss::huber}}},
+             .meaning = "least squares, or a robust fit: readings far from the law count less"});
   }
   void visit_law(FieldVisitor& v) {
     v.name(law, {.name = "law",
@@ -254,6 +265,7 @@ struct CalibrationCase {
   std::vector<Tool> tools;  ///< those of fit_bits and predict_bits, in this order
   std::vector<std::string> fit, predict;
   Pressures pressures = Pressures::combined;
+  Loss loss = Loss::squares;
   Records records;  ///< of `tools`, without the tests that are left out
   TestRock rock;
   CutGrid grid;
@@ -262,6 +274,7 @@ struct CalibrationCase {
   std::string resolved;  ///< TOML in SI; running it gives the same result
   std::string hash;  ///< of the resolved values and the contents of all files except those of bits
   std::string records_hash;
+  std::vector<std::string> doubts = {};  ///< "FILE:LINE: KEY: TEXT", of numbers without a unit
 };
 
 /// Reads and checks everything without drilling. Throws InputError that lists every mistake.

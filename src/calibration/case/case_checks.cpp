@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "core/types.hpp"
 
 namespace tdbd::calibration {
 namespace {
@@ -94,6 +96,34 @@ void check_torque(const CalibrationCase& c, const std::vector<Record>& rows,
                   A3->place, names[turning].name, names[turning].name, names[axial].name));
 }
 
+/// The geometry of a groove (calibration (2)) ends where the face is wholly in the rock.
+void check_grooves(const CalibrationCase& c, std::vector<std::string>& mistakes) {
+  constexpr double mm = 1e-3, rounding = 1e-9;
+  if (c.records.kind != ToolKind::cutter) return;
+  for (const Record& r : c.records.rows) {
+    const SingleCutter& cutter = tool_named(c, r.tool).cutter;
+    const double height = cutter.diameter * std::cos(cutter.back_rake);
+    if (r.depth <= height * (1.0 + rounding)) continue;
+    mistakes.push_back(fmt::format(
+        "{}:{}: depth: found {:.4g} mm, expected at most {:.4g} mm, the height of the face of '{}' "
+        "(diameter {:.4g} mm, back rake {:.3g} deg)",
+        c.records.file, r.line, r.depth / mm, height / mm, r.tool, cutter.diameter / mm,
+        cutter.back_rake / degree));
+  }
+}
+
+/// A bit does not advance by more than this in a revolution: its cutters are not as high.
+void check_advances(const CalibrationCase& c, std::vector<std::string>& mistakes) {
+  constexpr double mm = 1e-3, largest_advance = 0.1;  // m
+  if (c.records.kind != ToolKind::bit) return;
+  for (const Record& r : c.records.rows)
+    if (r.depth > largest_advance)
+      mistakes.push_back(fmt::format(
+          "{}:{}: rate_of_penetration: found {:.4g} m/s at {:.4g} rad/s, {:.4g} mm per revolution, "
+          "expected at most {:.4g} mm per revolution: is a unit of the header wrong?",
+          c.records.file, r.line, r.rate, r.speed, r.depth / mm, largest_advance / mm));
+}
+
 }  // namespace
 
 void check_names(Config& top, const CalibrationCase& c) {
@@ -145,6 +175,8 @@ void check_calibration(const CalibrationCase& c) {
   check_readings(c, rows, mistakes);
   check_pressure(c, rows, mistakes);
   check_torque(c, rows, mistakes);
+  check_grooves(c, mistakes);
+  check_advances(c, mistakes);
   if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
 }
 

@@ -19,7 +19,8 @@ void choose_records(Config& calibration, const std::vector<std::string>& left_ou
 
 /// Finds faults of a calibration that do not depend on its bits: fewer readings than unknowns
 /// without priors, a fitted record without a reading, a pressure share fitted at only one pressure,
-/// A1 and A3 of hanson-hansen without torque. Throws InputError that suggests remedies.
+/// A1 and A3 of hanson-hansen without torque, a groove deeper than the face of its cutter, and an
+/// advance of more than 100 mm per revolution. Throws InputError that suggests remedies.
 void check_calibration(const CalibrationCase& c);
 
 }  // namespace tdbd::calibration

@@ -67,6 +67,32 @@ bool release(Search& s, const std::vector<bool>& out, std::vector<int>& releases
 
 }  // namespace
 
+namespace {
+
+/// The unknowns with their values: "A1 = 1e+06, A3 = 0.3".
+std::string values_text(const Problem& p, const Eigen::VectorXd& values) {
+  std::string text;
+  for (std::size_t k = 0; k < p.unknowns.size(); ++k)
+    text += fmt::format("{}{} = {:.4g}", k == 0 ? "" : ", ", p.unknowns[k].key,
+                        values[static_cast<Eigen::Index>(k)]);
+  return text;
+}
+
+/// Why a search did not converge. Success of the library alone does not mean that: the search may
+/// have stopped where the loads hardly depend on the unknowns, or at the end of a range.
+std::string reason_of(const Problem& p, const Solution& s, const Eigen::VectorXd& start,
+                      int status) {
+  if (status != GSL_SUCCESS) return gsl_strerror(status);
+  if (!std::isfinite(s.chi2))
+    return fmt::format("the loads are not finite at {}", values_text(p, s.values));
+  return fmt::format(
+      "the search from {} stopped at {}, where the objective still decreases beyond the ends of "
+      "their ranges, or hardly depends on them",
+      values_text(p, start), values_text(p, s.values));
+}
+
+}  // namespace
+
 Solution solve(const Problem& p, const Data& data, const Eigen::VectorXd& start,
                Precision precision) {
   if (p.unknowns.empty()) return {start, residuals_at(p, data, start).squaredNorm(), true, 1, ""};
@@ -89,7 +115,7 @@ Solution solve(const Problem& p, const Data& data, const Eigen::VectorXd& start,
   s.chi2 = residuals_at(p, data, s.values).squaredNorm();
   s.evaluations = search.evaluations;
   s.converged = settled && std::isfinite(s.chi2);
-  if (!s.converged) s.reason = gsl_strerror(status);
+  if (!s.converged) s.reason = reason_of(p, s, start, status);
   return s;
 }
 
@@ -118,8 +144,13 @@ Solution solve_from_starts(const Problem& p, const Data& data, std::uint64_t see
     if (attempt == 0) reason = s.reason;
     start = drawn_start(p, seed + static_cast<std::uint64_t>(attempt));
   }
-  throw RunError(fmt::format("the fit converges from none of {} starts; from the case's: {}",
-                             further_starts + 1, reason));
+  std::string places;
+  for (const Unknown& u : p.unknowns)
+    places += fmt::format("{}{}.start = {:.4g}", places.empty() ? "" : ", ", u.key, u.start);
+  throw RunError(
+      fmt::format("the fit converges from none of {} starts. From the start of the case: {}. The "
+                  "other starts are drawn around it ({}): set a start near the expected value",
+                  further_starts + 1, reason, places));
 }
 
 namespace {

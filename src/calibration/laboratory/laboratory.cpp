@@ -163,6 +163,7 @@ LaboratoryCase read_laboratory(const std::string& path, const std::vector<std::s
   result.seed = settings.seed;
   c.finish();
   result.setup.files = c.files();
+  for (const ConfigDoubt& d : c.doubts()) setup.doubts.push_back(d.place + ": " + d.text);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "calibration/fit/identifiability.hpp"
+#include "calibration/fit/robust.hpp"
 #include "core/error.hpp"
 
 namespace tdbd::calibration {
@@ -205,7 +206,7 @@ Discrepancy leave_one_tool_out(const CalibrationCase& c, const CutStore& cuts,
     try {
       const Problem problem = problem_of(c, cuts, rest);
       require_identifiable(problem);
-      const Fit f = fit(problem, c.intervals);
+      const Fit f = fit_with_loss(c, cuts, problem);
       for (const Record& r : fitted)
         if (r.tool == left_out) add(f, c, cuts, r, excess);
     } catch (const InputError&) {

@@ -45,13 +45,14 @@ std::vector<Column> columns_of(ToolKind kind) {
   return columns;
 }
 
-/// Splits "wob [kN]" into name and unit; the unit is empty if there is none.
-std::pair<std::string, std::string> name_and_unit(const std::string& cell) {
-  const std::size_t open = cell.find('[');
-  if (open == std::string::npos || cell.back() != ']') return {cell, ""};
-  std::string name = cell.substr(0, open);
-  name.erase(name.find_last_not_of(' ') + 1);
-  return {name, cell.substr(open + 1, cell.size() - open - 2)};
+/// Splits "wob [kN]" into name and unit. Upper and lower case are the same, and so are
+/// "Rotary speed" and "rotary_speed".
+NamedUnit name_and_unit(const std::string& cell) {
+  NamedUnit column = split_unit(cell);
+  column.name = lower_case(column.name);
+  std::ranges::replace_if(
+      column.name, [](char c) { return c == ' ' || c == '-'; }, '_');
+  return column;
 }
 
 /// Index and unit of a column of the file.
@@ -107,6 +108,10 @@ struct RowReader {
   const Places& places;
   const std::vector<Column>& columns;
   CsvMistakes& mistakes;
+  std::vector<std::string>& doubts;
+
+  /// Numbers that logs contain where there was no reading.
+  static bool is_null(double x) { return x == 999.25 || x == 9999.0 || x == 99999.0; }
 
   std::string cell(const std::string& name) const {
     const auto place = places.find(name);
@@ -127,9 +132,14 @@ struct RowReader {
     const auto read = csv_number<double>(value);
     const std::string expected = fmt::format("a number{}", column.range.text());
     if (!read || !column.range.contains(*read)) {
-      mistakes.add(row.line, name, value, expected);
+      mistakes.add(row.line, name, value, expected + comma_hint(value));
       return std::nullopt;
     }
+    if (is_null(*read))
+      doubts.push_back(
+          fmt::format("{}:{}: {}: {} usually means \"no value\" in logs; leave the cell "
+                      "empty, or leave out the row",
+                      mistakes.file, row.line, name, value));
     return to_si(fmt::format("{} {}", value, places.at(name).unit), column.si_unit);
   }
 
@@ -165,7 +175,7 @@ Record read_row(const RowReader& r, ToolKind kind) {
 /// A file with a column "cutter" contains tests of single cutters.
 ToolKind kind_of(const CsvRow& header) {
   const bool cutters = std::ranges::any_of(
-      header.cells, [](const std::string& cell) { return name_and_unit(cell).first == "cutter"; });
+      header.cells, [](const std::string& cell) { return name_and_unit(cell).name == "cutter"; });
   return cutters ? ToolKind::cutter : ToolKind::bit;
 }
 
@@ -184,7 +194,7 @@ Records read_records(const std::string& path) {
   CsvMistakes mistakes{path};
   if (rows.size() < 2) mistakes.add(1, "records", "no rows", "a header and a row for each reading");
   mistakes.throw_if_any();
-  Records records{path, kind_of(rows.front()), {}};
+  Records records{path, kind_of(rows.front()), {}, {}};
   const std::vector<Column> columns = columns_of(records.kind);
   const Places places = read_header(rows.front(), columns, mistakes);
   mistakes.throw_if_any();
@@ -194,7 +204,8 @@ Records read_records(const std::string& path) {
                    fmt::format("{}, as in the header", rows.front().cells.size()));
       continue;
     }
-    records.rows.push_back(read_row({rows[i], places, columns, mistakes}, records.kind));
+    records.rows.push_back(
+        read_row({rows[i], places, columns, mistakes, records.doubts}, records.kind));
   }
   reject_duplicate_rows(rows, mistakes);
   mistakes.throw_if_any();

@@ -49,9 +49,11 @@ struct Records {
   std::string file;
   ToolKind kind = ToolKind::bit;
   std::vector<Record> rows;
+  std::vector<std::string> doubts;  ///< "FILE:LINE: COLUMN: TEXT": values that usually mean none
 };
 
-/// Reads a csv file whose header has "name [unit]" in each cell, in any order:
+/// Reads a csv file (core/config/csv.hpp) whose header has "name [unit]" or "name (unit)" in each
+/// cell, in any order, in upper or lower case:
 ///   bits     test, bit, pressure, rotary_speed, rate_of_penetration, wob;
 ///            tob, wob_sd, tob_sd, rock
 ///   cutters  test, cutter, speed, depth, normal; pressure, drag, normal_sd, drag_sd, rock

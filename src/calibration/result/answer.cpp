@@ -121,11 +121,19 @@ std::vector<std::string> assumptions_of(const FittedSet& set) {
   return all;
 }
 
-std::string misfit_warning(const FittedSet& set) {
+std::string misfit_warning(const FittedSet& set, const Records& records) {
   if (set.quality.fits().value_or(true)) return "";
-  return fmt::format("the law does not fit the readings{}: {}",
+  const auto worst = worst_readings(set.quality, two_deviations, 1);
+  std::string row;
+  if (!worst.empty())
+    row = fmt::format(
+        "; the {} of {}:{} fits worst, {:.3g} standard deviations away",
+        load_names(records.kind)[worst.front().load].name, records.file,
+        set.fit.problem.records[worst.front().record].line,
+        std::max(std::abs(worst.front().deviations), std::abs(worst.front().deviations_in_test)));
+  return fmt::format("the law does not fit the readings{}: {}{}",
                      set.pressure ? fmt::format(" at {:.4g} MPa", *set.pressure / per_MPa) : "",
-                     test_text(set.quality));
+                     test_text(set.quality), row);
 }
 
 std::string answer_text(const CalibrationCase& c, const Calibration& found) {

@@ -15,8 +15,9 @@ std::string answer_text(const CalibrationCase& c, const Calibration& found);
 /// The assumptions under which intervals of coefficients and predictions hold, one sentence each.
 std::vector<std::string> assumptions_of(const FittedSet& set);
 
-/// The warning of a law that does not fit the readings; empty if it fits.
-std::string misfit_warning(const FittedSet& set);
+/// The warning of a law that does not fit the readings, with the row that fits worst; empty if the
+/// law fits.
+std::string misfit_warning(const FittedSet& set, const Records& records);
 
 /// The keys of calibration.json about the quality of a fit:
 ///   fits                              true or false; null without degrees of freedom

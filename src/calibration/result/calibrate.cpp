@@ -9,6 +9,7 @@
 #include <regex>
 #include <set>
 
+#include "calibration/fit/robust.hpp"
 #include "calibration/result/answer.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
@@ -41,7 +42,7 @@ FittedSet fit_set(const CalibrationCase& c, const CutStore& cuts,
   const std::vector<Record> records = at_pressure(records_of(c, c.fit), pressure);
   const Problem problem = problem_of(c, cuts, records);
   require_identifiable(problem);
-  FittedSet set{pressure, fit(problem, c.intervals), {}, {}, {}, {}};
+  FittedSet set{pressure, fit_with_loss(c, cuts, problem), {}, {}, {}, {}};
   set.identifiability = identifiability_at(set.fit.problem, set.fit.values);
   set.discrepancy = leave_one_tool_out(c, cuts, records);
   set.replicates = bootstrap(set.fit, c.intervals);
@@ -87,7 +88,7 @@ std::vector<Prediction> predictions_of(const CalibrationCase& c, const CutStore&
   return all;
 }
 
-void warn(const FittedSet& set, std::vector<std::string>& warnings) {
+void warn(const CalibrationCase& c, const FittedSet& set, std::vector<std::string>& warnings) {
   for (std::size_t k = 0; k < set.fit.coefficients.size(); ++k) {
     const FittedCoefficient& f = set.fit.coefficients[k];
     if (f.at_bound)
@@ -97,7 +98,8 @@ void warn(const FittedSet& set, std::vector<std::string>& warnings) {
   if (!set.discrepancy.reason.empty())
     warnings.push_back("the error of the law is unknown, so intervals contain the noise only: " +
                        set.discrepancy.reason);
-  if (const std::string misfit = misfit_warning(set); !misfit.empty()) warnings.push_back(misfit);
+  if (const std::string misfit = misfit_warning(set, c.records); !misfit.empty())
+    warnings.push_back(misfit);
   if (set.replicates.failed > 0)
     warnings.push_back(
         fmt::format("{} of {} replicates of the bootstrap did not converge and are left out",
@@ -140,6 +142,7 @@ void write_timing(const std::filesystem::path& folder, const CutStore& cuts, dou
 
 Calibration calibrate(const CalibrationCase& c, const CutStore& cuts) {
   Calibration result;
+  result.warnings = c.doubts;
   for (const auto& pressure : pressures_of(c)) result.sets.push_back(fit_set(c, cuts, pressure));
   for (FittedSet& set : result.sets) set.quality = quality_of(set.fit, result.sets.size());
   const std::vector<Record> fitted = records_of(c, c.fit), withheld = records_of(c, c.predict);
@@ -147,7 +150,7 @@ Calibration calibrate(const CalibrationCase& c, const CutStore& cuts) {
   for (const FittedSet& set : result.sets) standardise_fitted(set, result.fitted);
   result.predictions = predictions_of(c, cuts, result.sets, withheld);
   result.extrapolates = extrapolations(samples_of(c, cuts, fitted), samples_of(c, cuts, withheld));
-  for (const FittedSet& set : result.sets) warn(set, result.warnings);
+  for (const FittedSet& set : result.sets) warn(c, set, result.warnings);
   warn_of_nearest_sets(result.sets, withheld, result.warnings);
   return result;
 }

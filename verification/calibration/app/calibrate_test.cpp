@@ -50,6 +50,80 @@ TEST(Calibrate, warns_of_an_unknown_error_of_the_law) {
   EXPECT_NE(one.err.find("tdbd: warning: " + warning), std::string::npos) << one.err;
 }
 
+/// The readings of a cutter in granite, and the same with a null value in the first row.
+class GrooveFolder : public CalibrationFolder {
+ public:
+  explicit GrooveFolder(const std::string& depth = "0.013", const std::string& normal = "20.2") {
+    write("case.toml",
+          "[calibration]\nlaw = \"hanson-hansen\"\nrecords = \"records.csv\"\nfit_bits = [\"j\"]\n"
+          "predict_bits = []\n[cutters.j]\ndiameter = \"0.5 in\"\nback_rake = \"20 deg\"\n"
+          "[rock]\nmaterial = \"sierra-white-granite\"\n[noise]\nreading = 0.04\nrop = 0.02\n"
+          "[unknowns.A1]\nstart = 1.0\n[unknowns.A3]\nstart = \"20 deg\"\n");
+    std::string text = "test,cutter,speed [in/s],depth [in],normal [lbf],drag [lbf]\n";
+    text += "a,j,2.1," + depth + "," + normal + ",16.9\n";
+    for (const char* row : {"0.015,25.3,16.8", "0.016,30.4,17", "0.017,31.7,26.3",
+                            "0.018,29.2,18.8", "0.02,38,28.9", "0.037,136,118", "0.039,131,118",
+                            "0.039,136,120", "0.039,137,121", "0.061,229,217", "0.062,256,227"})
+      text += std::string("a,j,2.1,") + row + "\n";
+    write("records.csv", text);
+  }
+  double fitted(const std::string& key, const std::string& out) const {
+    return calibration_of(*this, out)["coefficients"][key]["value"];
+  }
+};
+
+/// The area of a groove is that of the whole face for all larger depths.
+TEST(Calibrate, rejects_a_groove_deeper_than_the_face) {
+  for (const auto& [depth, mm] : {std::pair("0.6", "15.24"), {"0.5", "12.7"}, {"0.47", "11.94"}}) {
+    const GrooveFolder c(depth);
+    expect_refusal(c.calibrate(),
+                   c.path("records.csv").string() + ":2: depth: found " + mm +
+                       " mm, expected at most 11.93 mm, the height of the face of 'j' (diameter "
+                       "12.7 mm, back rake 20 deg)");
+    EXPECT_FALSE(std::filesystem::exists(c.path("out")));
+  }
+  EXPECT_EQ(GrooveFolder("0.4697").calibrate().exit_code, 0);
+}
+
+TEST(Calibrate, rejects_a_bit_that_advances_by_more_than_its_cutters) {
+  const BitFolder c;
+  c.write("deep.csv",
+          "test,bit,pressure [psi],rotary_speed [rpm],rate_of_penetration [m/s],wob [kN]\n"
+          "1,steep,3000,120,15,42.5\n");
+  const auto o = c.calibrate({"--set", "calibration.records=" + c.path("deep.csv").string()});
+  EXPECT_NE(o.exit_code, 0);
+}
+
+/// One null value (999.25) moves A3 by half. With the robust loss, its effect is small.
+TEST(Calibrate, names_the_row_that_fits_worst_and_has_a_robust_loss) {
+  const GrooveFolder good, wrong("0.013", "999.25");
+  ASSERT_EQ(good.calibrate().exit_code, 0);
+  const auto o = wrong.calibrate();
+  EXPECT_NE(o.err.find("; the normal of " + wrong.path("records.csv").string() +
+                       ":2 fits worst, 79 standard deviations away"),
+            std::string::npos)
+      << o.err;
+  EXPECT_NE(o.err.find("records.csv:2: normal: 999.25 usually means \"no value\""),
+            std::string::npos)
+      << o.err;
+  const std::string huber = "calibration.loss=huber";
+  ASSERT_EQ(wrong.calibrate({"--set", huber}, "robust").exit_code, 0);
+  ASSERT_EQ(good.calibrate({"--set", huber}, "robust").exit_code, 0);
+  for (const std::string key : {"A1", "A3"}) {
+    const double right = good.fitted(key, "robust");
+    EXPECT_GT(std::abs(wrong.fitted(key, "out") / right - 1.0), 0.2) << key;
+    EXPECT_LT(std::abs(wrong.fitted(key, "robust") / right - 1.0), 0.05) << key;
+  }
+}
+
+TEST(Calibrate, names_the_starts_from_which_no_fit_converges) {
+  const GrooveFolder c;
+  const auto o = c.calibrate({"--set", "unknowns.A1.start=1e6"});
+  EXPECT_EQ(o.exit_code, 1) << o.out;
+  EXPECT_EQ(o.err.find("success"), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find("A1.start = 1e+06"), std::string::npos) << o.err;
+}
+
 TEST(Laboratory, makes_the_folder_of_its_records) {
   const BitFolder c;
   const auto o = c.laboratory({"--cuts", c.path("lab-cuts")}, "new/folder/lab.csv");

@@ -52,6 +52,27 @@ TEST(ReadRecords, of_bits_are_in_si) {
   EXPECT_FALSE(one.readings[axial].deviation);
 }
 
+TEST(ReadRecords, have_headers_in_any_case_and_with_either_brackets) {
+  const Records r = records(
+      "Test;BIT;Pressure (PSI);Rotary speed [RPM];Rate-of-penetration [m/hr];WOB (kN);TOB [Nm];\n"
+      "B-1;B;3000;120;10,5;42,5;3100;\n;;;;;;;\n");
+  ASSERT_EQ(r.rows.size(), 1u);
+  EXPECT_DOUBLE_EQ(r.rows[0].pressure, 3000 * 6894.757293168361);
+  EXPECT_DOUBLE_EQ(r.rows[0].rate, 10.5 / 3600.0);
+  EXPECT_DOUBLE_EQ(*r.rows[0].readings[axial].value, 42500.0);
+  EXPECT_DOUBLE_EQ(*r.rows[0].readings[turning].value, 3100.0);
+}
+
+TEST(ReadRecords, doubt_the_null_values_of_logs) {
+  const Records r = records(row("1,B,3000,120,10,999.25,3100"));
+  ASSERT_EQ(r.doubts.size(), 1u);
+  EXPECT_TRUE(
+      r.doubts[0].ends_with(":2: wob: 999.25 usually means \"no value\" in logs; leave the "
+                            "cell empty, or leave out the row"))
+      << r.doubts[0];
+  EXPECT_TRUE(records(row("1,B,3000,120,10,42.5,3100")).doubts.empty());
+}
+
 TEST(ReadRecords, of_cutters_have_a_depth_and_no_rate) {
   const Records r = records(
       "drag [lbf],test,normal [lbf],cutter,depth [mm],speed [mm/s],normal_sd [N],rock\n"
