@@ -267,7 +267,9 @@ void require_sheet(const MeshChoices& choices, const mesh::TriangleMesh& m) {
 
 /// Inspects the rock of a case, or changes it and writes the result if that can be a rock.
 int inspect_sheet(const MeshChoices& choices, const mesh::LengthUnit& unit) {
-  mesh::TriangleMesh m = mesh::read_mesh(choices.file, unit.metres);
+  std::vector<std::string> warnings;
+  mesh::TriangleMesh m = mesh::read_mesh(choices.file, unit.metres, &warnings);
+  for (const std::string& warning : warnings) print_warning(warning);
   mesh::weld_points(m, length("--weld", choices.weld));
   print_openings(m);
   change_sheet(choices, m);
@@ -291,8 +293,10 @@ int inspect_or_write(const MeshChoices& choices) {
         "--fill-holes or --z-up");
   if (choices.writes()) require_output(choices);
   if (choices.is_sheet()) return inspect_sheet(choices, unit);
+  std::vector<std::string> warnings;
   std::vector<Solid> solids =
-      mesh::read_solids(choices.file, unit.metres, length("--weld", choices.weld));
+      mesh::read_solids(choices.file, unit.metres, length("--weld", choices.weld), &warnings);
+  for (const std::string& warning : warnings) print_warning(warning);
   if (choices.repair) return repair(choices, std::move(solids));
   if (const double weld = length("--weld", choices.weld); weld > 0.0)
     for (Solid& solid : solids) mesh::weld_points(solid.mesh, weld);

@@ -93,6 +93,32 @@ def check_refused_repairs(folder):
     refused(tdbd("mesh", bad, "--repair"), "--output: found no file")
 
 
+def check_field_files(folder):
+    """A warning for bytes after a binary STL; a body in a body counts once; no repair loses much."""
+    binary = folder / "long.stl"
+    tdbd("mesh", folder / "cube.stl", "--repair", "-o", binary, "--binary", "--force")
+    binary.write_bytes(binary.read_bytes() + bytes(80))
+    read = tdbd("mesh", binary)
+    assert read.returncode == 0 and read.stdout.splitlines()[1].split()[7] == "64000.000", read
+    assert read.stderr == (f"tdbd: warning: {binary}: found 80 bytes after the 12 facets that the header declares; "
+                           "they are ignored\n"), read
+    inner = CUBE + [(10 + x / 2, 10 + y / 2, 10 + z / 2) for x, y, z in CUBE]
+    nested, out = folder / "nested.stl", folder / "nested-out.stl"
+    nested.write_text(solid("a", SIDES + [tuple(v + 8 for v in t) for t in SIDES], inner))
+    refused(tdbd("mesh", nested), "piece that bounds nothing: 12 facets", "8000 mm3, inside another piece")
+    repaired = tdbd("mesh", nested, "--repair", "-o", out)
+    assert repaired.returncode == 0 and "a: 12 facets dropped of shells" in repaired.stdout, repaired
+    assert repaired.stdout.splitlines()[-1].split()[7] == "64000.000", repaired
+    scattered = [(x + i % 5 * 1e-5, y + i % 3 * 1e-5, z) for i, (x, y, z) in enumerate(CUBE * 3)]
+    near = folder / "near.stl"
+    near.write_text(solid("a", [tuple(v + 8 * (i % 3) for v in t) for i, t in enumerate(SIDES)], scattered))
+    refused(tdbd("mesh", near), "--repair --weld '0.0001 mm' -o ")
+    for weld, code in (("0.0001 mm", 0), ("30 mm", 2)):
+        done = tdbd("mesh", near, "--repair", "--weld", weld, "-o", folder / f"weld-{code}.stl")
+        assert done.returncode == code and "CGAL" not in done.stdout + done.stderr, done
+    assert not (folder / "weld-2.stl").exists()
+
+
 def check_grading(folder):
     """Finer at the edges, coarser inside, the same cube; the digits of its corners stay."""
     out = folder / "graded.obj"
@@ -347,5 +373,6 @@ def check_stated_units(folder):
 with tempfile.TemporaryDirectory() as name:
     test_folder = pathlib.Path(name)
     for check in (check_inspection, check_repairs, check_refused_repairs, check_grading, check_growth, check_usual_grading, check_units,
-                  check_densities, check_round_trips, check_rock_of_a_run, check_many_solids, check_sheets, check_cracks, check_stated_units):
+                  check_densities, check_round_trips, check_rock_of_a_run, check_many_solids, check_sheets, check_cracks, check_stated_units,
+                  check_field_files):
         check(test_folder)

@@ -241,6 +241,8 @@ std::string name(Defect::Kind kind) {
       return "empty mesh";
     case Kind::self_intersection:
       return "self-intersection";
+    case Kind::bad_nesting:
+      return "piece that bounds nothing";
   }
   return "unknown defect";
 }

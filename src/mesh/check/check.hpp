@@ -52,6 +52,7 @@ struct Defect {
     inside_out,            ///< a closed mesh whose enclosed volume is not positive
     empty,                 ///< no triangles
     self_intersection,     ///< two triangles meet outside their common corners and edges
+    bad_nesting,           ///< a piece that bounds neither a body nor a cavity (nested_pieces)
   };
   Kind kind;
   std::string where;

@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
+#include "mesh/check/nesting.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::mesh {
@@ -88,19 +90,29 @@ std::vector<Triangle> merge_equal_vertices(const TriangleMesh& m) {
   return triangles;
 }
 
-std::vector<TriangleMesh> divide(const TriangleMesh& m) {
+std::vector<std::vector<int>> divided_facets(const TriangleMesh& m) {
   const std::vector<Triangle> facets = merge_equal_vertices(m);
-  std::vector<TriangleMesh> pieces;
+  std::vector<std::vector<int>> pieces;
   for (const std::vector<int>& run : closing_runs(facets)) {
     std::vector<Triangle> of_run;
     of_run.reserve(run.size());
     for (const int i : run) of_run.push_back(facets[at(i)]);
     for (std::vector<int>& piece : connected_pieces(of_run)) {
       for (int& i : piece) i = run[at(i)];
-      pieces.push_back(submesh(m, piece));
+      pieces.push_back(std::move(piece));
     }
   }
   return pieces;
+}
+
+std::vector<TriangleMesh> divide(const TriangleMesh& m) { return submeshes(m, divided_facets(m)); }
+
+std::vector<TriangleMesh> submeshes(const TriangleMesh& m,
+                                    const std::vector<std::vector<int>>& pieces) {
+  std::vector<TriangleMesh> meshes;
+  meshes.reserve(pieces.size());
+  for (const std::vector<int>& piece : pieces) meshes.push_back(submesh(m, piece));
+  return meshes;
 }
 
 namespace {
@@ -197,12 +209,34 @@ std::vector<std::pair<int, int>> self_intersections(const TriangleMesh& mesh) {
   return pairs;
 }
 
+namespace {
+
+/// Pieces that bound nothing.
+void find_bad_nesting(const TriangleMesh& m, std::vector<Defect>& found) {
+  const auto pieces = connected_pieces(m.triangles);
+  if (pieces.size() == 1) return;
+  const std::vector<NestedPiece> nested = nested_pieces(submeshes(m, pieces));
+  for (std::size_t i = 0; i < nested.size(); ++i)
+    if (nested[i].bounds == Bounds::nothing)
+      found.push_back(
+          {Defect::Kind::bad_nesting,
+           fmt::format("{} facets with {} {}, {:.6g} mm3, {}: a cavity must face inward, a body "
+                       "outward, and a body inside another counts twice",
+                       pieces[i].size(), place_of_triangle(m, pieces[i].front()),
+                       nested[i].outward ? "face outward" : "face inward",
+                       1e9 * std::abs(enclosed_volume(nested[i].mesh)),
+                       nested[i].around.empty() ? "in no other piece" : "inside another piece")});
+}
+
+}  // namespace
+
 std::vector<Defect> check_solid(const TriangleMesh& m) {
   std::vector<Defect> defects = check_closed(m);
   if (!defects.empty()) return defects;
   for (const auto& [a, b] : self_intersections(m))
     defects.push_back({Defect::Kind::self_intersection,
                        fmt::format("{} and triangle {}", place_of_triangle(m, a), b)});
+  if (defects.empty()) find_bad_nesting(m, defects);
   return defects;
 }
 

@@ -15,11 +15,18 @@ namespace tdbd::mesh {
 /// their coordinates are. Facets and points keep their order.
 std::vector<TriangleMesh> divide(const TriangleMesh& m);
 
+/// The numbers of the facets of each of these pieces.
+std::vector<std::vector<int>> divided_facets(const TriangleMesh& m);
+
 /// Returns the triangles of `m` with each vertex replaced by the first vertex at the same position.
 std::vector<Triangle> merge_equal_vertices(const TriangleMesh& m);
 
 /// Returns the given triangles and the vertices they use, both in their original order.
 TriangleMesh submesh(const TriangleMesh& m, const std::vector<int>& triangles);
+
+/// The same for each piece of a mesh.
+std::vector<TriangleMesh> submeshes(const TriangleMesh& m,
+                                    const std::vector<std::vector<int>>& pieces);
 
 /// Returns the pairs of triangles (first < second, sorted) that meet outside their common corners
 /// and edges. A closed mesh with such pairs does not bound a solid. Uses exact predicates. Corners
@@ -39,7 +46,8 @@ struct NamedFacet {
 bool intersect(const NamedFacet& first, const NamedFacet& second);
 
 /// Returns the defects that check_closed finds, or, if there are none, the pairs of
-/// self_intersections.
+/// self_intersections, or, if there are none, the pieces that bound nothing (nested_pieces): a body
+/// inside a body, or a piece that faces inward and is no cavity.
 std::vector<Defect> check_solid(const TriangleMesh& m);
 
 }  // namespace tdbd::mesh

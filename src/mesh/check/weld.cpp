@@ -106,17 +106,21 @@ std::vector<int> first_within(const TriangleMesh& m, double weld) {
   return first;
 }
 
-std::size_t weld_points(TriangleMesh& m, double weld) {
+std::size_t weld_points(TriangleMesh& m, double weld, std::vector<int>* tags) {
   const std::vector<int> first = first_within(m, weld);
   std::size_t merged = 0;
   for (std::size_t v = 0; v < first.size(); ++v) merged += first[v] != static_cast<int>(v);
   for (Triangle& t : m.triangles)
     for (int& v : t) v = first[at(v)];
   if (merged == 0) return 0;
-  std::erase_if(m.triangles, lost_a_corner);
-  std::vector<int> all(m.triangles.size());
-  std::iota(all.begin(), all.end(), 0);
-  m = submesh(m, all);  // without the points that are no longer used
+  std::vector<int> kept, kept_tags;
+  for (std::size_t i = 0; i < m.triangles.size(); ++i) {
+    if (lost_a_corner(m.triangles[i])) continue;
+    kept.push_back(static_cast<int>(i));
+    if (tags != nullptr) kept_tags.push_back((*tags)[i]);
+  }
+  m = submesh(m, kept);  // without the points that are no longer used
+  if (tags != nullptr) *tags = std::move(kept_tags);
   return merged;
 }
 

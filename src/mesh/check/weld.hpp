@@ -15,8 +15,9 @@ namespace tdbd::mesh {
 std::vector<int> first_within(const TriangleMesh& m, double weld);
 
 /// Merges points at most `weld` (m) apart, and drops the facets that lose a corner and the points
-/// that are no longer used. Returns the number of merged points.
-std::size_t weld_points(TriangleMesh& m, double weld);
+/// that are no longer used. `tags`: a number for every facet, dropped with it. Returns the number of
+/// merged points.
+std::size_t weld_points(TriangleMesh& m, double weld, std::vector<int>* tags = nullptr);
 
 /// Number of edges with one facet.
 std::size_t open_edges(const TriangleMesh& m);

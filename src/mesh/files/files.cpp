@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -14,7 +13,9 @@
 #include "mesh/files/facet_file.hpp"
 #include "mesh/files/ply.hpp"
 #include "mesh/files/solids.hpp"
+#include "mesh/files/text_reader.hpp"
 #include "mesh/files/write_facets.hpp"
+#include "mesh/shape/polygon.hpp"
 
 namespace tdbd::mesh {
 namespace {
@@ -24,30 +25,22 @@ namespace {
 }
 
 void require_known(const std::filesystem::path& path) {
-  const std::string e = lower_extension(path);
-  if (e != ".stl" && e != ".obj" && e != ".ply" && e != ".off")
+  if (const std::string e = lower_extension(path);
+      e != ".stl" && e != ".obj" && e != ".ply" && e != ".off")
     fail_to_read(path,
                  fmt::format("unknown mesh format '{}', expected .stl, .obj, .ply or .off", e));
 }
 
 void require_sound(const std::filesystem::path& path, const FacetFile& file) {
   if (file.polygons.empty()) fail_to_read(path, "no triangles");
-  for (std::size_t v = 0; v < file.points.size(); ++v)
-    if (const Vec3& x = file.points[v]; !x.allFinite())
-      fail_to_read(path, fmt::format("vertex {} of {} is at ({}, {}, {}), expected finite numbers",
-                                     v, file.points.size(), x.x(), x.y(), x.z()));
-  for (std::size_t i = 0; i < file.polygons.size(); ++i) {
-    if (file.polygons[i].size() < 3)
-      fail_to_read(path,
-                   fmt::format("facet {}: a polygon with {} corners", i, file.polygons[i].size()));
+  for (std::size_t i = 0; i < file.polygons.size(); ++i)
     for (const int v : file.polygons[i])
       if (v < 0 || v >= static_cast<int>(file.points.size()))
         fail_to_read(path, fmt::format("facet {}: a polygon names vertex {} of {}", i, v,
                                        file.points.size()));
-  }
 }
 
-/// Squares and volumes of larger coordinates would overflow.
+/// Squares and volumes of larger coordinates would overflow. NaN is rejected as well.
 void require_small(const std::filesystem::path& path, const std::vector<Vec3>& points) {
   for (std::size_t v = 0; v < points.size(); ++v)
     if (const Vec3& x = points[v]; !(x.cwiseAbs().maxCoeff() <= largest_coordinate))
@@ -56,38 +49,30 @@ void require_small(const std::filesystem::path& path, const std::vector<Vec3>& p
                                      v, x.x(), x.y(), x.z(), largest_coordinate));
 }
 
-FacetFile read_text(std::string bytes, const std::string& extension, const std::string& name,
-                    int power) {
-  if (extension == ".off") return read_off(bytes, name, power);
-  std::istringstream text(std::move(bytes));
-  return extension == ".obj" ? read_obj(text, name, power) : read_text_stl(text, name, power);
+/// Old files end their lines with CR alone.
+void use_newlines(std::string& bytes) {
+  if (bytes.find('\n') == std::string::npos) std::ranges::replace(bytes, '\r', '\n');
 }
 
 FacetFile read_any(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path), name = path.string();
   std::string bytes = read_file(path, "a mesh file");
   const auto unit = stated_unit(bytes, extension);
-  const bool is_binary_stl = extension == ".stl" && stl_kind(bytes, name) == StlKind::binary;
   FacetFile file;
-  if (extension == ".ply" || is_binary_stl) {
-    file = is_binary_stl ? read_binary_stl(bytes, name) : read_ply(bytes, name);
+  if (extension == ".stl" && stl_kind(bytes, name) == StlKind::binary) {
+    file = read_binary_stl(bytes, name);
+  } else if (use_newlines(bytes); extension == ".ply") {
+    file = read_ply(without_mark(bytes), name);
   } else {
     const auto power = unit ? unit->power : std::nullopt;
-    file = read_text(std::move(bytes), extension, name, power.value_or(0));
+    const auto read = extension == ".off"   ? read_off
+                      : extension == ".obj" ? read_obj
+                                            : read_text_stl;
+    file = read(without_mark(bytes), name, power.value_or(0));
     if (power) file.points_are = FacetFile::Points::in_m;
   }
   file.unit = unit;
   return file;
-}
-
-/// The format has no names.
-void write_bodies_as_ply(std::ostream& out, const std::vector<Solid>& solids,
-                         const FileCoordinates& c) {
-  TriangleMesh all = merged(solids);
-  for (Vec3& x : all.positions) x = c.value(x);
-  std::vector<std::string> comments;
-  if (c.unit) comments.push_back(unit_comment(*c.unit));
-  write_ply(out, all, comments);
 }
 
 }  // namespace
@@ -117,15 +102,18 @@ TriangleMesh triangulated(const FacetFile& file, const std::filesystem::path& pa
   require_small(path, m.positions);
   for (std::size_t i = 0; i < file.polygons.size(); ++i) {
     const std::vector<int>& p = file.polygons[i];
-    for (std::size_t k = 2; k < p.size(); ++k) m.triangles.push_back({p[0], p[k - 1], p[k]});
+    triangulate_polygon(m.positions, p, m.triangles);
     if (body_of_triangle != nullptr && !file.body.empty())
       body_of_triangle->insert(body_of_triangle->end(), p.size() - 2, file.body[i]);
   }
   return m;
 }
 
-TriangleMesh read_mesh(const std::filesystem::path& path, double unit) {
-  return triangulated(read_facets(path), path, unit);
+TriangleMesh read_mesh(const std::filesystem::path& path, double unit,
+                       std::vector<std::string>* warnings) {
+  FacetFile file = read_facets(path);
+  if (warnings != nullptr) *warnings = std::move(file.warnings);
+  return triangulated(file, path, unit);
 }
 
 TriangleMesh merged(const std::vector<Solid>& solids) {
@@ -145,7 +133,12 @@ void write_bodies(const std::filesystem::path& path, const std::vector<Solid>& s
   require_known(path);
   AtomicFile file(path);
   const std::string extension = lower_extension(path);
-  if (extension == ".ply") write_bodies_as_ply(file.stream(), solids, c);
+  if (extension == ".ply") {
+    TriangleMesh all = merged(solids);
+    for (Vec3& x : all.positions) x = c.value(x);
+    write_ply(file.stream(), all,
+              std::vector<std::string>(c.unit ? 1 : 0, c.unit ? unit_comment(*c.unit) : ""));
+  }
   if (extension == ".obj") write_obj(file.stream(), solids, c);
   if (extension == ".off") write_off(file.stream(), solids, c);
   if (extension == ".stl" && stl == StlKind::text) write_text_stl(file.stream(), solids, c);

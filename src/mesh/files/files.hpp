@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "mesh/files/length_unit.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -10,10 +12,12 @@ namespace tdbd::mesh {
 
 /// Reads STL (binary or text), OBJ, PLY or OFF. The extension, in upper or lower case, selects the
 /// format. `unit` is the length of one file unit in metres: 1e-3 for a file in millimetres.
-/// Polygons are split into fans of triangles; equal points of an STL file become one vertex.
-/// Nothing else is repaired; check_closed reports the defects. Throws InputError with path and
-/// reason, also if the header of the file states another unit.
-TriangleMesh read_mesh(const std::filesystem::path& path, double unit);
+/// Polygons are split into triangles (triangulate_polygon); equal points of an STL file become one
+/// vertex. Nothing else is repaired; check_closed reports the defects. `warnings` receives what was
+/// ignored. Throws InputError with path and reason, also if the header of the file states another
+/// unit.
+TriangleMesh read_mesh(const std::filesystem::path& path, double unit,
+                       std::vector<std::string>* warnings = nullptr);
 
 /// Writes `m` in the format given by the extension: .stl and .ply are binary (single and double
 /// precision), .obj and .off are text with all digits. Coordinates are in `unit`, which the header

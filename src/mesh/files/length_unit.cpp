@@ -13,6 +13,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "mesh/files/facet_file.hpp"
+#include "mesh/files/text_reader.hpp"
 
 namespace tdbd::mesh {
 namespace {
@@ -39,7 +40,7 @@ std::optional<LengthUnit> unit_in_header(std::string_view text) {
 }
 
 std::optional<LengthUnit> unit_of_first_solid(std::string_view bytes) {
-  std::string_view line = bytes.substr(0, bytes.find('\n'));
+  std::string_view line = bytes.substr(0, bytes.find_first_of("\r\n"));
   line.remove_prefix(std::min(line.find_first_of(" \t"), line.size()));
   std::string name(trimmed(line));
   return take_unit_of_name(name);
@@ -53,24 +54,15 @@ std::string_view take_line(std::string_view& bytes) {
   return line;
 }
 
-/// Searches the comments above the first statement. The keyword of an OFF file may come first.
-std::optional<LengthUnit> unit_of_comments(std::string_view bytes) {
+/// Searches the comments above the first statement of an OBJ or OFF file, whose keyword may come
+/// first, or those of the header of a PLY file.
+std::optional<LengthUnit> unit_of_comments(std::string_view bytes, std::string_view mark,
+                                           bool (*is_end)(std::string_view)) {
   while (!bytes.empty()) {
     const std::string_view line = take_line(bytes);
-    if (!line.starts_with('#') && !line.empty() && !line.ends_with("OFF")) break;
-    if (!line.starts_with('#')) continue;
-    if (auto unit = unit_of_comment(trimmed(line.substr(1)))) return unit;
-  }
-  return std::nullopt;
-}
-
-std::optional<LengthUnit> unit_of_ply(std::string_view bytes) {
-  constexpr std::string_view comment = "comment ";
-  while (!bytes.empty()) {
-    const std::string_view line = take_line(bytes);
-    if (line == "end_header") break;
-    if (!line.starts_with(comment)) continue;
-    if (auto unit = unit_of_comment(trimmed(line.substr(comment.size())))) return unit;
+    if (is_end(line)) break;
+    if (!line.starts_with(mark)) continue;
+    if (auto unit = unit_of_comment(trimmed(line.substr(mark.size())))) return unit;
   }
   return std::nullopt;
 }
@@ -88,13 +80,9 @@ LengthUnit length_unit(std::string_view text) {
 }
 
 LengthUnit length_unit_of(double metres) {
-  constexpr std::array<std::pair<const char*, double>, 7> named{{{"m", 1.0},
-                                                                 {"dm", 0.1},
-                                                                 {"cm", 1e-2},
-                                                                 {"mm", 1e-3},
-                                                                 {"um", 1e-6},
-                                                                 {"in", 0.0254},
-                                                                 {"ft", 0.3048}}};
+  constexpr std::array named = {
+      std::pair{"m", 1.0},   std::pair{"dm", 0.1},    std::pair{"cm", 1e-2},  std::pair{"mm", 1e-3},
+      std::pair{"um", 1e-6}, std::pair{"in", 0.0254}, std::pair{"ft", 0.3048}};
   for (const auto& [name, length] : named)
     if (agree(metres, length)) return {name, metres, power_of_ten(metres)};
   return {fmt::format("{}m", metres), metres, power_of_ten(metres)};
@@ -122,10 +110,15 @@ std::optional<LengthUnit> take_unit_of_name(std::string& name) {
 }
 
 std::optional<LengthUnit> stated_unit(std::string_view bytes, std::string_view extension) {
+  bytes = without_mark(bytes);
   constexpr std::size_t stl_title = 80;
-  if (extension == ".ply") return unit_of_ply(bytes);
-  if (extension != ".stl") return unit_of_comments(bytes);
-  if (bytes.starts_with("solid")) return unit_of_first_solid(bytes);
+  if (extension == ".ply")
+    return unit_of_comments(bytes, "comment ", [](auto line) { return line == "end_header"; });
+  if (extension != ".stl")
+    return unit_of_comments(bytes, "#", [](auto line) {
+      return !line.empty() && !line.starts_with('#') && !line.ends_with("OFF");
+    });
+  if (begins_with_solid(bytes)) return unit_of_first_solid(trimmed(bytes));
   std::string_view title = bytes.substr(0, stl_title);
   return unit_of_comment(trimmed(title.substr(0, title.find('\0'))));
 }

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <iterator>
+#include <map>
+#include <string>
 
 #include "mesh/files/facet_file.hpp"
 #include "mesh/files/text_reader.hpp"
@@ -11,101 +12,97 @@
 namespace tdbd::mesh {
 namespace {
 
-/// Statements that do not affect the shape.
-bool is_ignored(const std::string& word) {
-  constexpr const char* known[] = {"vt", "vn",     "vp",     "s", "mg", "usemtl",
-                                   "l",  "mtllib", "usemap", "p", "lod"};
-  return std::find(std::begin(known), std::end(known), word) != std::end(known);
+/// Statements that do not affect the facets: attributes of vertices and of the display, free-form
+/// curves and surfaces, points and lines.
+bool is_ignored(std::string_view word) {
+  constexpr std::string_view known =
+      " vn vt vp s l p usemtl mtllib usemap maplib mg lod bevel c_interp d_interp shadow_obj "
+      "trace_obj ctech stech cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con "
+      "res bsp bzp cdc cdp ";
+  return word == "vn" || word == "vt" || known.find(fmt::format(" {} ", word)) != known.npos;
 }
 
 /// The index of the point that a word such as "7", "7/1/2" or "-1" (the last point so far) refers
 /// to.
-int corner(const TextLines& lines, const std::string& word, int points) {
-  const std::string number = word.substr(0, word.find('/'));
+int corner(const TextCursor& in, std::string_view word, int points) {
+  const std::string_view number = word.substr(0, word.find('/'));
   int i = 0;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), i);
   if (error != std::errc() || end != number.data() + number.size() || i == 0)
-    lines.fail('\'' + word + '\'', "the number of a vertex, 1 or more, or counted back from -1");
+    in.fail(quoted(word), "the number of a vertex, 1 or more, or counted back from -1");
   const int v = i > 0 ? i - 1 : points + i;
   if (v < 0 || v >= points)
-    lines.fail(fmt::format("a polygon names vertex {} of {}", v, points),
-               fmt::format("one of the {} vertices above", points));
+    in.fail(fmt::format("a polygon names vertex {} of {}", v, points),
+            fmt::format("one of the {} vertices above", points));
   return v;
 }
 
-std::vector<int> read_polygon(const TextLines& lines, int points) {
+std::vector<int> obj_polygon(TextCursor& in, int points) {
   std::vector<int> polygon;
-  polygon.reserve(lines.words().size() - 1);
-  for (std::size_t k = 1; k < lines.words().size(); ++k)
-    polygon.push_back(corner(lines, lines.words()[k], points));
-  if (polygon.size() < 3)
-    lines.fail(fmt::format("a polygon with {} corners", polygon.size()), "three or more");
-  return polygon;
-}
-
-/// Returns the body with this name, and adds it if it is new. A group may be continued later in the
-/// file.
-int body_named(FacetFile& file, const std::string& name) {
-  const auto known = std::find(file.names.begin(), file.names.end(), name);
-  if (known != file.names.end()) return static_cast<int>(known - file.names.begin());
-  file.names.push_back(name);
-  return static_cast<int>(file.names.size()) - 1;
-}
-
-/// Removes groups without facets. If the only body has no name, the file has no named bodies.
-void drop_empty_bodies(FacetFile& file) {
-  std::vector<int> number(file.names.size(), -1);
-  for (const int b : file.body) number[at(b)] = 0;
-  std::vector<std::string> used;
-  for (std::size_t b = 0; b < number.size(); ++b)
-    if (number[b] == 0) {
-      number[b] = static_cast<int>(used.size());
-      used.push_back(file.names[b]);
-    }
-  for (int& b : file.body) b = number[at(b)];
-  file.names = used;
-  if (used.size() == 1 && used[0].empty()) {
-    file.names.clear();
-    file.body.clear();
+  for (auto word = in.word_on_this_line(); !word.empty(); word = in.word_on_this_line()) {
+    polygon.push_back(corner(in, word, points));
+    in.skip(word.size());
   }
+  if (polygon.size() < 3)
+    in.fail(fmt::format("a polygon with {} corners", polygon.size()), "three or more");
+  return polygon;
 }
 
 }  // namespace
 
-FacetFile read_obj(std::istream& in, const std::string& path, int power) {
+FacetFile read_obj(std::string_view text, const std::string& path, int power) {
   FacetFile file;
-  TextLines lines(in, path, power);
-  std::string name;
-  while (lines.next()) {
-    const std::string& word = lines.words()[0];
+  file.names_are = FacetFile::Names::groups;
+  TextCursor in(text, path, 1, power);
+  std::map<std::string, int> groups = {{"", 0}};  // may continue later in the file
+  file.names = {""};
+  int group = 0;
+  while (in.to_next_word()) {
+    const std::string_view word = in.word("a statement");
     if (word == "v") {
-      file.points.push_back(lines.point(1));
-    } else if (word == "f") {
-      file.polygons.push_back(read_polygon(lines, static_cast<int>(file.points.size())));
-      file.body.push_back(body_named(file, name));
+      file.points.push_back(in.point());
+    } else if (word == "f" || word == "fo") {
+      file.polygons.push_back(obj_polygon(in, static_cast<int>(file.points.size())));
+      file.body.push_back(group);
     } else if (word == "g" || word == "o") {
-      name = lines.rest();
+      const std::string name(in.rest_of_line());
+      const auto [known, is_new] = groups.try_emplace(name, static_cast<int>(groups.size()));
+      if (is_new) file.names.push_back(name);
+      group = known->second;
+      continue;
     } else if (!is_ignored(word)) {
-      lines.fail('\'' + word + '\'', "a statement of an OBJ file (v, f, g, o, ...)");
+      in.fail(quoted(word), "a statement of an OBJ file (v, f, g, o, ...)");
     }
+    in.end_line();
   }
-  drop_empty_bodies(file);
   return file;
 }
 
 namespace {
 
 /// Reads the keyword: OFF with 3-D points. The prefixes ST, C and N mean that texture coordinates,
-/// colours and normals follow the coordinates.
-void read_off_keyword(TextCursor& in) {
-  constexpr std::array known = {"OFF",   "COFF",   "NOFF",   "CNOFF",
-                                "STOFF", "STCOFF", "STNOFF", "STCNOFF"};
+/// colours and normals follow the coordinates. The keyword may be missing, and the counts may
+/// follow it without a blank. Returns how many numbers a vertex has.
+std::size_t read_off_keyword(TextCursor& in) {
+  constexpr std::array<std::pair<std::string_view, std::size_t>, 9> known = {{{"", 3},
+                                                                              {"off", 3},
+                                                                              {"coff", 7},
+                                                                              {"noff", 6},
+                                                                              {"cnoff", 10},
+                                                                              {"stoff", 5},
+                                                                              {"stcoff", 9},
+                                                                              {"stnoff", 8},
+                                                                              {"stcnoff", 12}}};
   constexpr auto expected = "'OFF': text, with points of three coordinates";
-  const std::string_view word = in.word(expected);
-  bool is_known = false;
-  for (const std::string_view name : known) is_known = is_known || word == name;
-  if (!is_known) in.fail(fmt::format("'{}'", word), expected);
-  if (in.word_on_this_line() == "BINARY") in.fail("'BINARY'", expected);
+  if (!in.to_next_word()) in.fail("the end of the file", expected);
+  const std::string_view word = in.word_on_this_line();
+  const std::string_view keyword = word.substr(0, word.find_last_not_of("0123456789") + 1);
+  const auto found = std::ranges::find_if(
+      known, [&](const auto& name) { return is_keyword(keyword, name.first); });
+  if (found == known.end()) in.fail(quoted(word), expected);
+  in.skip(keyword.size());
+  if (is_keyword(in.word_on_this_line(), "binary")) in.fail("'BINARY'", expected);
+  return found->second;
 }
 
 /// Reads a count of the header for items that take at least `bytes` each, and checks it against the
@@ -117,6 +114,22 @@ std::size_t off_count(TextCursor& in, const char* what, std::size_t bytes) {
     in.fail(fmt::format("{} {} in the {} bytes that follow", count, what, in.left()),
             fmt::format("at most {}", most));
   return count;
+}
+
+/// Whether each item of a list starts a line, so that the rest of its last line can be ignored.
+/// Otherwise items follow each other without regard to line ends.
+enum class Layout { lines, run_on };
+
+/// Decides on lines if the file has enough of them for the items that are left, and if the next one
+/// has enough words for the start of an item. `in` is a copy.
+Layout layout_of(TextCursor in, std::size_t items, std::size_t words_of_item) {
+  std::size_t lines = 0, words = 0;
+  in.to_next_word();
+  for (TextCursor first = in; !first.word_on_this_line().empty(); ++words)
+    first.skip(first.word_on_this_line().size());
+  if (words < words_of_item) return Layout::run_on;
+  for (; lines < items && in.to_next_word(); ++lines) in.end_line();
+  return lines < items ? Layout::run_on : Layout::lines;
 }
 
 std::vector<int> off_polygon(TextCursor& in, std::size_t points) {
@@ -139,23 +152,25 @@ std::vector<int> off_polygon(TextCursor& in, std::size_t points) {
 }  // namespace
 
 FacetFile read_off(std::string_view text, const std::string& path, int power) {
-  constexpr long first_line = 1;
-  TextCursor in(text, path, first_line, power);
-  read_off_keyword(in);
+  TextCursor in(text, path, 1, power);
+  const std::size_t numbers = read_off_keyword(in);
   const std::size_t points = off_count(in, "vertices", sizeof "0 0 0" - 1);
   const std::size_t polygons = off_count(in, "facets", sizeof "3 0 0 0" - 1);
-  in.end_line();
+  in.skip(in.word_on_this_line().size());  // the number of edges
   FacetFile file;
   file.points.reserve(points);
   file.polygons.reserve(polygons);
+  const Layout of_points = layout_of(in, points + polygons, 3);
   for (std::size_t i = 0; i < points; ++i) {
     const double x = in.number(), y = in.number(), z = in.number();
     file.points.push_back(Vec3(x, y, z));
-    in.end_line();
+    for (std::size_t k = 3; k < numbers && of_points == Layout::run_on; ++k) in.number();
+    if (of_points == Layout::lines) in.end_line();
   }
+  const Layout of_polygons = layout_of(in, polygons, 1);
   for (std::size_t i = 0; i < polygons; ++i) {
     file.polygons.push_back(off_polygon(in, points));
-    in.end_line();
+    if (of_polygons == Layout::lines) in.end_line();
   }
   return file;
 }

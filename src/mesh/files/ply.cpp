@@ -80,12 +80,16 @@ void check_record_counts(const PlyHeader& header, std::size_t bytes, const std::
   }
 }
 
-/// Whether a statement of the header was the last one.
-enum class Statement { one_of_many, last };
+/// Which statement of the header was read.
+enum class Statement { format, last, other };
 Statement read_statement(TextCursor& in, long line, PlyHeader& header) {
-  constexpr auto expected = "element, property, comment, obj_info or end_header";
+  constexpr auto expected = "format, element, property, comment, obj_info or end_header";
   const std::string_view word = in.word(expected);
   if (word == "end_header") return Statement::last;
+  if (word == "format") {
+    header.format = named(in, ply_formats, "ascii, binary_little_endian or binary_big_endian");
+    return Statement::format;
+  }
   if (word == "element") {
     PlyElement& e = header.elements.emplace_back();
     e.name = in.word("the name of an element");
@@ -97,7 +101,7 @@ Statement read_statement(TextCursor& in, long line, PlyHeader& header) {
   } else if (word != "comment" && word != "obj_info") {
     in.fail(fmt::format("'{}'", word), expected);
   }
-  return Statement::one_of_many;
+  return Statement::other;
 }
 
 }  // namespace
@@ -119,15 +123,15 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& path) {
   };
   if (TextCursor first = next_line(); first.word("'ply'") != "ply")
     first.fail("another word", "'ply'");
-  TextCursor second = next_line();
-  if (second.word("'format'") != "format") second.fail("another word", "'format'");
-  header.format = named(second, ply_formats, "ascii, binary_little_endian or binary_big_endian");
-  for (bool is_last = false; !is_last;) {
+  bool has_format = false;
+  for (Statement found = Statement::other; found != Statement::last;) {
     if (header.size == bytes.size())
       TextCursor({}, path, header.lines).fail("the end of the file", "end_header");
     TextCursor line = next_line();
     if (line.word_on_this_line().empty()) continue;
-    is_last = read_statement(line, header.lines, header) == Statement::last;
+    found = read_statement(line, header.lines, header);
+    has_format = has_format || found == Statement::format;
+    if (found == Statement::last && !has_format) line.fail("no format", "'format ascii 1.0' above");
   }
   check_record_counts(header, bytes.size() - header.size, path);
   return header;
@@ -137,22 +141,18 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "records are written as they lie");
 
-/// A facet in the file: the number of corners in one byte, then the corners.
-constexpr std::size_t facet_bytes = 1 + sizeof(Triangle);
 static_assert(sizeof(Triangle) == 3 * sizeof(std::int32_t));
 
-void put_facet(char* at, const Triangle& t) {
-  *at = 3;
-  std::memcpy(at + 1, t.data(), sizeof t);
-}
-
+/// Writes facets as the number of corners in one byte and the corners, some thousands at a time.
 void write_facets(std::ostream& out, const std::vector<Triangle>& triangles) {
   constexpr std::size_t at_once = 4096;
-  std::vector<char> some(at_once * facet_bytes);
-  for (std::size_t first = 0; first < triangles.size(); first += at_once) {
-    const std::size_t n = std::min(at_once, triangles.size() - first);
-    for (std::size_t i = 0; i < n; ++i) put_facet(&some[i * facet_bytes], triangles[first + i]);
-    out.write(some.data(), static_cast<std::streamsize>(n * facet_bytes));
+  std::string some;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    some += '\3';
+    some.append(reinterpret_cast<const char*>(&triangles[i]), sizeof(Triangle));
+    if ((i + 1) % at_once != 0 && i + 1 < triangles.size()) continue;
+    out.write(some.data(), static_cast<std::streamsize>(some.size()));
+    some.clear();
   }
 }
 
@@ -175,72 +175,57 @@ namespace {
 
 bool is_whole(PlyType type) { return type != PlyType::float32 && type != PlyType::float64; }
 
-/// Reads the values of a text file. Each value is converted to double.
-class PlyText {
+/// Reads the values of a text or binary file. Each value is converted to double.
+class PlyValues {
  public:
-  PlyText(std::string_view bytes, const std::string& path, const PlyHeader& header)
-      : in_(bytes, path, header.lines + 1) {}
+  PlyValues(std::string_view records, const std::string& path, const PlyHeader& header)
+      : text_(records, path, header.lines + 1),
+        bytes_(records),
+        path_(path),
+        size_(records.size()),
+        format_(header.format) {}
 
   double value(PlyType type) {
-    const double x = in_.number();
+    constexpr std::array readers = {&PlyValues::next<std::int8_t>,  &PlyValues::next<std::uint8_t>,
+                                    &PlyValues::next<std::int16_t>, &PlyValues::next<std::uint16_t>,
+                                    &PlyValues::next<std::int32_t>, &PlyValues::next<std::uint32_t>,
+                                    &PlyValues::next<Single>,       &PlyValues::next<double>};
+    if (!is_text()) return (this->*readers[static_cast<std::size_t>(type)])();
+    const double x = text_.number();
     if (is_whole(type) && x != std::floor(x)) fail(fmt::format("'{}'", x), "a whole number");
     return type == PlyType::float32 ? static_cast<double>(static_cast<Single>(x)) : x;
   }
+  /// Skips a value, which may be anything in a text file.
+  void skip(PlyType type) {
+    if (is_text())
+      text_.word("a value");
+    else
+      value(type);
+  }
   /// Upper bound on the length of a list.
-  std::size_t most(PlyType) const { return in_.left(); }
-  [[noreturn]] void fail(const std::string& found, const char* expected) const {
-    in_.fail(found, expected);
+  std::size_t most(PlyType type) const {
+    return is_text() ? text_.left() : bytes_.size() / byte_size(type);
   }
-
- private:
-  TextCursor in_;
-};
-
-/// Reads the values of a binary file.
-class PlyBytes {
- public:
-  PlyBytes(std::string_view bytes, const std::string& path, const PlyHeader& header)
-      : bytes_(bytes), path_(path), size_(bytes.size()), format_(header.format) {}
-
-  double value(PlyType type) {
-    switch (type) {
-      case PlyType::int8:
-        return next<std::int8_t>();
-      case PlyType::uint8:
-        return next<std::uint8_t>();
-      case PlyType::int16:
-        return next<std::int16_t>();
-      case PlyType::uint16:
-        return next<std::uint16_t>();
-      case PlyType::int32:
-        return next<std::int32_t>();
-      case PlyType::uint32:
-        return next<std::uint32_t>();
-      case PlyType::float32:
-        return next<Single>();
-      case PlyType::float64:
-        return next<double>();
-    }
-    fail("no type", "one of the eight types");
-  }
-  std::size_t most(PlyType type) const { return bytes_.size() / byte_size(type); }
   [[noreturn]] void fail(const std::string& found, const char* expected) const {
+    if (is_text()) text_.fail(found, expected);
     throw InputError(fmt::format("{}: byte {} of {} after the header: found {}, expected {}", path_,
                                  size_ - bytes_.size(), size_, found, expected));
   }
 
  private:
+  bool is_text() const { return format_ == PlyFormat::ascii; }
+
   template <class Number>
   double next() {
     std::array<char, sizeof(Number)> raw;
     if (bytes_.size() < raw.size()) fail("the end of the file", "a number");
     std::copy_n(bytes_.begin(), raw.size(), raw.begin());
     bytes_.remove_prefix(raw.size());
-    static_assert(std::endian::native == std::endian::little);
     if (format_ == PlyFormat::binary_big_endian) std::reverse(raw.begin(), raw.end());
     return static_cast<double>(std::bit_cast<Number>(raw));
   }
 
+  TextCursor text_;
   std::string_view bytes_;
   const std::string& path_;
   std::size_t size_;
@@ -268,50 +253,47 @@ std::vector<Use> uses_of(const PlyElement& e, const std::string& path) {
       throw InputError(fmt::format("{}:{}: element {}: found {} properties {}, expected one", path,
                                    e.line, e.name, n, name));
   };
-  if (e.name == "vertex") {
-    demand(Use::x, "x");
-    demand(Use::y, "y");
-    demand(Use::z, "z");
-  }
+  if (e.name == "vertex")
+    for (const auto& [use, name] : {std::pair{Use::x, "x"}, {Use::y, "y"}, {Use::z, "z"}})
+      demand(use, name);
   if (e.name == "face") demand(Use::corners, "'list vertex_indices'");
   return uses;
 }
 
-template <class Values>
-int corner_of(const Values& in, double x) {
+int corner_of(const PlyValues& in, double x) {
   if (!(x >= 0.0 && x <= std::numeric_limits<int>::max() && x == std::floor(x)))
     in.fail(fmt::format("{}", x), "the number of a vertex, 0 or more");
   return static_cast<int>(x);
 }
 
 /// Reads the length of a list with elements of type `type`.
-template <class Values>
-std::size_t length_of(Values& in, PlyType count, PlyType type) {
+std::size_t length_of(PlyValues& in, PlyType count, PlyType type) {
   const double n = in.value(count);
   if (!(n >= 0.0 && n <= static_cast<double>(in.most(type))))
     in.fail(fmt::format("a list of {}", n), "one that fits into the rest of the file");
   return static_cast<std::size_t>(n);
 }
 
-template <class Values>
-void read_value(Values& in, const PlyProperty& p, Use use, Vec3& place, std::vector<int>& polygon) {
+void read_value(PlyValues& in, const PlyProperty& p, Use use, Vec3& place,
+                std::vector<int>& polygon) {
+  if (!p.count && use == Use::ignored) return in.skip(p.type);
   if (!p.count) {
-    const double value = in.value(p.type);
-    if (use != Use::ignored) place[static_cast<Eigen::Index>(use)] = value;
+    place[static_cast<Eigen::Index>(use)] = in.value(p.type);
     return;
   }
   const std::size_t n = length_of(in, *p.count, p.type);
   if (use == Use::corners && n < 3)
     in.fail(fmt::format("a polygon with {} corners", n), "three or more");
   if (use == Use::corners) polygon.reserve(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    const double value = in.value(p.type);
-    if (use == Use::corners) polygon.push_back(corner_of(in, value));
-  }
+  for (std::size_t k = 0; k < n; ++k)
+    if (use == Use::corners)
+      polygon.push_back(corner_of(in, in.value(p.type)));
+    else
+      in.skip(p.type);
 }
 
-template <class Values>
-void read_element(Values& in, const PlyElement& e, const std::vector<Use>& uses, FacetFile& file) {
+void read_element(PlyValues& in, const PlyElement& e, const std::vector<Use>& uses,
+                  FacetFile& file) {
   for (std::size_t i = 0; i < e.count; ++i) {
     Vec3 place = Vec3::Zero();
     std::vector<int> polygon;
@@ -322,20 +304,28 @@ void read_element(Values& in, const PlyElement& e, const std::vector<Use>& uses,
   }
 }
 
-template <class Values>
-FacetFile read_records(std::string_view bytes, const std::string& path, const PlyHeader& header) {
-  Values in(bytes.substr(header.size), path, header);
-  FacetFile file;
-  for (const PlyElement& e : header.elements) read_element(in, e, uses_of(e, path), file);
-  return file;
+/// Scans may consist of triangle strips, which most programs no longer write.
+void reject_strips(const PlyHeader& header, const std::string& path) {
+  const auto named = [](std::string_view name) {
+    return [name](const PlyElement& e) { return e.name == name && e.count > 0; };
+  };
+  const auto strips = std::ranges::find_if(header.elements, named("tristrips"));
+  if (strips != header.elements.end() && std::ranges::none_of(header.elements, named("face")))
+    throw InputError(fmt::format(
+        "{}:{}: found triangle strips (element tristrips), expected an element face: save the mesh "
+        "as triangles",
+        path, strips->line));
 }
 
 }  // namespace
 
 FacetFile read_ply(std::string_view bytes, const std::string& path) {
   const PlyHeader header = read_ply_header(bytes, path);
-  return header.format == PlyFormat::ascii ? read_records<PlyText>(bytes, path, header)
-                                           : read_records<PlyBytes>(bytes, path, header);
+  reject_strips(header, path);
+  PlyValues in(bytes.substr(header.size), path, header);
+  FacetFile file;
+  for (const PlyElement& e : header.elements) read_element(in, e, uses_of(e, path), file);
+  return file;
 }
 
 }  // namespace tdbd::mesh

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mesh/files/facet_file.hpp"
@@ -9,13 +10,15 @@
 
 namespace tdbd::mesh {
 
-/// Reads the bodies of a file in file order: the named solids of a text STL or the groups of an
-/// OBJ. Files without names (binary STL, PLY, OFF, an OBJ without groups) are split by divide();
-/// the pieces are named solid-1, solid-2, ... `unit` is the length of one file unit in metres.
-/// Polygons are split into fans. Before a file without names is split, points at most `weld` (m)
-/// apart are merged (weld_points); nothing else is repaired. Throws InputError with path, line and
-/// reason.
-std::vector<Solid> read_solids(const std::filesystem::path& path, double unit, double weld = 0.0);
+/// Reads the bodies of a file in file order: the named solids of a text STL; in other files the
+/// pieces found by divide(), each with the pieces that it surrounds (nested_pieces), such as its
+/// cavities. A body of an OBJ has the name of its group if all its facets are in one; the others
+/// are named solid-1, solid-2, ... `unit` is the length of one file unit in metres. Polygons are
+/// split into triangles (triangulate_polygon). Before a file without names of bodies is divided,
+/// points at most `weld` (m) apart are merged (weld_points); nothing else is repaired. `warnings`
+/// receives what was ignored. Throws InputError with path, line and reason.
+std::vector<Solid> read_solids(const std::filesystem::path& path, double unit, double weld = 0.0,
+                               std::vector<std::string>* warnings = nullptr);
 
 /// Merges all bodies into one mesh. Bodies share no vertices.
 TriangleMesh merged(const std::vector<Solid>& solids);

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
-#include <sstream>
 #include <utility>
 
 #include "core/error.hpp"
@@ -14,17 +14,15 @@
 namespace tdbd::mesh {
 namespace {
 
-constexpr std::string_view blanks = " \t\v\f\r", ends = " \t\v\f\r\n#";
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
-/// Parses a number that must fill the whole word; a leading plus sign is allowed.
-template <class Number>
-bool fills(std::string_view word, Number& value) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size();
+/// The bytes of a backslash and the line end after it; 0 if the text does not start with them.
+std::size_t continuation(std::string_view text) {
+  if (!text.starts_with('\\')) return 0;
+  const std::size_t end = text.find_first_not_of(" \t\r", 1);
+  if (end == std::string_view::npos) return text.size();
+  return text[end] == '\n' ? end + 1 : 0;
 }
-
-std::string quoted(std::string_view word) { return fmt::format("'{}'", word); }
 
 }  // namespace
 
@@ -32,17 +30,36 @@ TextCursor::TextCursor(std::string_view text, std::string path, long line, int p
     : text_(text), path_(std::move(path)), line_(line), power_(power) {}
 
 std::string_view TextCursor::word_on_this_line() {
-  text_.remove_prefix(std::min(text_.find_first_not_of(blanks), text_.size()));
-  return text_.substr(0, text_.find_first_of(ends));
+  for (;;) {
+    std::size_t first = 0;
+    while (first < text_.size() && is_blank(text_[first])) ++first;
+    text_.remove_prefix(first);
+    const std::size_t bytes = continuation(text_);
+    if (bytes == 0) break;
+    text_.remove_prefix(bytes);
+    ++line_;
+  }
+  std::size_t end = 0;
+  const auto ends = [&](char c) {  // the # of a number such as 1.#QNAN starts no comment
+    return is_blank(c) || c == '\n' || (c == '#' && (end == 0 || text_[end - 1] != '.'));
+  };
+  while (end < text_.size() && !ends(text_[end])) ++end;
+  if (end > 1 && text_[end - 1] == '\\' && continuation(text_.substr(end - 1)) > 0) --end;
+  return text_.substr(0, end);
+}
+
+bool TextCursor::to_next_word() {
+  while (word_on_this_line().empty()) {
+    if (text_.empty()) return false;
+    end_line();
+  }
+  return true;
 }
 
 std::string_view TextCursor::word(std::string_view expected) {
-  std::string_view found = word_on_this_line();
-  for (; found.empty(); found = word_on_this_line()) {
-    if (text_.empty()) fail("the end of the file", expected);
-    end_line();
-  }
-  text_.remove_prefix(found.size());
+  if (!to_next_word()) fail("the end of the file", expected);
+  const std::string_view found = word_on_this_line();
+  skip(found.size());
   return found;
 }
 
@@ -54,56 +71,57 @@ double TextCursor::number() {
 }
 
 std::int64_t TextCursor::whole(std::string_view expected) {
-  const std::string_view found = word(expected);
+  std::string_view found = word(expected), digits = found;
+  if (digits.starts_with('+')) digits.remove_prefix(1);
   std::int64_t value = 0;
-  if (!fills(found, value) || value < 0) fail(quoted(found), expected);
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || value < 0)
+    fail(quoted(found), expected);
   return value;
 }
 
+Vec3 TextCursor::point() {
+  Vec3 x;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    if (word_on_this_line().empty()) fail(fmt::format("{} numbers", k), "three");
+    x[k] = number();
+  }
+  return x;
+}
+
+std::string_view TextCursor::take_line() {
+  const std::size_t end = std::min(text_.find('\n'), text_.size());
+  const std::string_view line = text_.substr(0, end);
+  text_.remove_prefix(std::min(end + 1, text_.size()));
+  if (!text_.empty()) ++line_;
+  return line;
+}
+
+std::string_view TextCursor::rest_of_line() { return trimmed(take_line()); }
+
 void TextCursor::end_line() {
-  const std::size_t end = text_.find('\n');
-  if (end != std::string_view::npos) ++line_;
-  text_.remove_prefix(std::min(end == std::string_view::npos ? end : end + 1, text_.size()));
+  for (bool continues = true; continues;) {
+    const std::string_view line = take_line();
+    const std::size_t last = line.find_last_not_of(" \t\r");
+    continues = last != std::string_view::npos && line[last] == '\\' &&
+                line.find('#') == std::string_view::npos;
+  }
 }
 
 void TextCursor::fail(std::string_view found, std::string_view expected) const {
   throw InputError(fmt::format("{}:{}: found {}, expected {}", path_, line_, found, expected));
 }
 
-TextLines::TextLines(std::istream& in, std::string path, int power)
-    : in_(in), path_(std::move(path)), power_(power) {}
-
-bool TextLines::next() {
-  words_.clear();
-  while (words_.empty()) {
-    if (!std::getline(in_, line_)) return false;
-    ++number_;
-    std::istringstream text(line_.substr(0, line_.find('#')));
-    for (std::string word; text >> word;) words_.push_back(word);
-  }
-  return true;
+std::string_view without_mark(std::string_view bytes) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  return bytes.starts_with(mark) ? bytes.substr(mark.size()) : bytes;
 }
 
-std::string TextLines::rest() const {
-  if (words_.size() < 2) return "";
-  const std::size_t first = line_.find(words_[0]) + words_[0].size();
-  return std::string(trimmed(std::string_view(line_).substr(first)));
+bool is_keyword(std::string_view word, std::string_view keyword) {
+  return std::ranges::equal(word, keyword, {},
+                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
 }
 
-Vec3 TextLines::point(std::size_t first) const {
-  if (words_.size() < first + 3)
-    fail(fmt::format("{} words", words_.size()), fmt::format("'{}' and three numbers", words_[0]));
-  Vec3 x = Vec3::Zero();
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto value = decimal_number(words_[first + k], power_);
-    if (!value) fail('\'' + words_[first + k] + '\'', "a finite number");
-    x[static_cast<Eigen::Index>(k)] = *value;
-  }
-  return x;
-}
-
-void TextLines::fail(const std::string& found, const std::string& expected) const {
-  throw InputError(fmt::format("{}:{}: found {}, expected {}", path_, number_, found, expected));
-}
+std::string quoted(std::string_view word) { return fmt::format("'{}'", word); }
 
 }  // namespace tdbd::mesh

@@ -4,12 +4,12 @@
 
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <iterator>
 #include <string>
 
 #include "core/simd.hpp"
 #include "mesh/check/self_intersections.hpp"
+#include "mesh/files/solids.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::mesh {
@@ -19,22 +19,15 @@ Vec3 normal_of(const std::array<Vec3, 3>& x) {
   return area_vector(x[0], x[1], x[2]).stableNormalized();
 }
 
-std::string number_text(double x) { return fmt::format("{}", x); }
-
 /// Appends a facet of a binary STL: the normal, three corners and two bytes.
 void append_binary_facet(std::string& bytes, const std::array<Vec3, 3>& corners,
                          const FileCoordinates& c) {
   static_assert(std::endian::native == std::endian::little, "records are written as they lie");
-  std::array<Single, 12> numbers{};
-  std::size_t k = 0;
-  const auto put = [&](const Vec3& x) {
-    for (const double value : {x.x(), x.y(), x.z()}) numbers[k++] = static_cast<Single>(value);
-  };
-  put(normal_of(corners));
-  for (const Vec3& x : corners) put(c.value(x));
-  std::array<char, sizeof numbers> raw{};
-  std::memcpy(raw.data(), numbers.data(), raw.size());
-  bytes.append(raw.begin(), raw.end());
+  Eigen::Matrix<Single, 3, 4> numbers;
+  numbers.col(0) = normal_of(corners).cast<Single>();
+  for (std::size_t k = 0; k < 3; ++k)
+    numbers.col(static_cast<Eigen::Index>(k) + 1) = c.value(corners[k]).cast<Single>();
+  bytes.append(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
   bytes.append(2, '\0');
 }
 
@@ -46,12 +39,12 @@ Vec3 FileCoordinates::value(const Vec3& x) const {
 }
 
 std::string FileCoordinates::text(const Vec3& x) const {
-  const auto at = known.find({x.x(), x.y(), x.z()});
-  if (at == known.end() && unit && unit->power)
-    return fmt::format("{} {} {}", decimal_text(x.x(), *unit->power),
-                       decimal_text(x.y(), *unit->power), decimal_text(x.z(), *unit->power));
-  const Vec3 v = value(x);
-  return fmt::format("{} {} {}", number_text(v.x()), number_text(v.y()), number_text(v.z()));
+  const bool is_known = known.contains({x.x(), x.y(), x.z()});
+  const bool is_decimal = !is_known && unit && unit->power;
+  const Vec3 v = is_decimal ? x : value(x);
+  const int power = is_decimal ? *unit->power : 0;
+  return fmt::format("{} {} {}", decimal_text(v.x(), power), decimal_text(v.y(), power),
+                     decimal_text(v.z(), power));
 }
 
 void write_text_stl(std::ostream& out, const std::vector<Solid>& solids, const FileCoordinates& c) {
@@ -75,15 +68,11 @@ void write_binary_stl(std::ostream& out, const std::vector<Solid>& solids,
   constexpr std::size_t title_bytes = 80;
   std::string bytes = c.unit ? unit_comment(*c.unit) : "tdbd";
   bytes.resize(title_bytes, ' ');
-  std::uint32_t facets = 0;
-  for (const Solid& solid : solids)
-    facets += static_cast<std::uint32_t>(solid.mesh.triangles.size());
-  std::array<char, sizeof facets> count{};
-  std::memcpy(count.data(), &facets, count.size());
-  bytes.append(count.begin(), count.end());
-  for (const Solid& solid : solids)
-    for (std::size_t i = 0; i < solid.mesh.triangles.size(); ++i)
-      append_binary_facet(bytes, corners(solid.mesh, i), c);
+  const TriangleMesh all = merged(solids);
+  const auto facets = static_cast<std::uint32_t>(all.triangles.size());
+  bytes.append(reinterpret_cast<const char*>(&facets), sizeof facets);
+  for (std::size_t i = 0; i < all.triangles.size(); ++i)
+    append_binary_facet(bytes, corners(all, i), c);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
@@ -102,35 +91,21 @@ void write_obj(std::ostream& out, const std::vector<Solid>& solids, const FileCo
 }
 
 void write_off(std::ostream& out, const std::vector<Solid>& solids, const FileCoordinates& c) {
-  std::size_t points = 0, facets = 0;
-  for (const Solid& solid : solids) {
-    points += solid.mesh.positions.size();
-    facets += solid.mesh.triangles.size();
-  }
+  const TriangleMesh all = merged(solids);
   out << "OFF\n";
   if (c.unit) out << "# " << unit_comment(*c.unit) << '\n';
-  std::string text = fmt::format("{} {} 0\n", points, facets);
-  for (const Solid& solid : solids)
-    for (const Vec3& x : solid.mesh.positions) text += c.text(x) + '\n';
-  int first = 0;
-  for (const Solid& solid : solids) {
-    for (const Triangle& t : solid.mesh.triangles)
-      fmt::format_to(std::back_inserter(text), "3 {} {} {}\n", first + t[0], first + t[1],
-                     first + t[2]);
-    first += static_cast<int>(solid.mesh.positions.size());
-  }
+  std::string text = fmt::format("{} {} 0\n", all.positions.size(), all.triangles.size());
+  for (const Vec3& x : all.positions) text += c.text(x) + '\n';
+  for (const Triangle& t : all.triangles)
+    fmt::format_to(std::back_inserter(text), "3 {} {} {}\n", t[0], t[1], t[2]);
   out << text;
 }
 
 TriangleMesh in_single_precision(const TriangleMesh& m, const FileCoordinates& c) {
   TriangleMesh rounded;
   rounded.positions.reserve(m.positions.size());
-  for (const Vec3& x : m.positions) {
-    const Vec3 v = c.value(x);
-    rounded.positions.push_back(Vec3(static_cast<double>(static_cast<Single>(v.x())),
-                                     static_cast<double>(static_cast<Single>(v.y())),
-                                     static_cast<double>(static_cast<Single>(v.z()))));
-  }
+  for (const Vec3& x : m.positions)
+    rounded.positions.push_back(c.value(x).cast<Single>().cast<double>());
   rounded.triangles = m.triangles;
   rounded.triangles = merge_equal_vertices(rounded);
   return rounded;

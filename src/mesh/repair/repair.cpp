@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <sstream>
 #include <utility>
 
 #include "mesh/check/check.hpp"
+#include "mesh/check/nesting.hpp"
 #include "mesh/check/self_intersections.hpp"
 #include "mesh/files/solids.hpp"
 #include "mesh/repair/repair_steps.hpp"
@@ -109,33 +111,109 @@ void record(Repaired& r, std::size_t count, const std::string& what) {
   if (count > 0) r.steps.push_back({what, count});
 }
 
-/// Performs all steps except the removal of intersections. Stops at the first refusal.
-void repair_surface(Repaired& r, const RepairOptions& options) {
+/// What a repair must preserve.
+struct Extent {
+  double volume = 0.0;  ///< m3, signed; of an open mesh, the same sum over its facets
+  double area = 0.0;    ///< m2
+  Box box;
+};
+
+Extent extent_of(const TriangleMesh& m) { return {enclosed_volume(m), area(m), bounding_box(m)}; }
+
+/// Describes a change beyond most_changed: "its volume from 1000 to 970 mm3 (-3.0 %)". Changes below
+/// `floor` are rounding.
+std::string change(const char* what, const char* unit, double before, double after, double floor) {
+  const double by = after - before;
+  if (std::abs(by) <= std::max(most_changed * std::abs(before), floor)) return "";
+  return fmt::format(", its {} from {:.6g} to {:.6g} {} ({:+.3g} %)", what, before, after, unit,
+                     100.0 * by / std::abs(before));
+}
+
+/// Why a step is refused: it changed the mesh by more than it may. Empty if it did not.
+std::string loss(const char* step, const Extent& before, const Extent& after) {
+  constexpr double rounding = 1e-6;
+  const Vec3 old_size = 1e3 * before.box.size(), size = 1e3 * after.box.size();  // mm
+  const double area = 1e6 * before.area, across = old_size.norm();
+  std::string text =
+      change("volume", "mm3", 1e9 * before.volume, 1e9 * after.volume, rounding * area * across);
+  text += change("area", "mm2", area, 1e6 * after.area, rounding * area);
+  constexpr std::array sides = {"size along x", "size along y", "size along z"};
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    text += change(sides[k], "mm", old_size[axis], size[axis], rounding * across);
+  }
+  if (text.empty()) return "";
+  return fmt::format("{} would change {}; at most {:.3g} % are permitted", step, text.substr(2),
+                     100.0 * most_changed);
+}
+
+/// Compares a union with its bodies: it may be smaller than their sum where they overlap, but not
+/// smaller than any of them, and has the box of all.
+std::string loss_of_union(const TriangleMesh& before, const TriangleMesh& after) {
+  Extent expected = extent_of(before);
+  const Extent now = extent_of(after);
+  double largest = 0.0;
+  for (const TriangleMesh& body : submeshes(before, facets_of_bodies(before)))
+    largest = std::max(largest, enclosed_volume(body));
+  expected.volume = std::clamp(now.volume, std::min(largest, expected.volume), expected.volume);
+  expected.area = std::min(now.area, expected.area);
+  return loss("uniting the pieces", expected, now);
+}
+
+/// Performs the steps that do not need a closed mesh.
+void repair_facets(Repaired& r, const RepairOptions& options) {
   TriangleMesh& m = r.mesh;
+  TriangleMesh distinct = m;
+  merge_points(distinct, 0.0);
+  drop_duplicates(distinct);
+  const Extent before = extent_of(distinct);
   record(r, merge_points(m, options.weld),
          options.weld > 0.0
              ? fmt::format("points merged with another within {:.6g} mm", 1e3 * options.weld)
              : "points merged at equal places");
   record(r, drop_duplicates(m), "duplicate facets dropped");
   record(r, remove_degenerate(m), "facets without area removed");
+  record(r, split_t_junctions(m, options.weld),
+         "corners inserted into edges on which they lie (T-junctions)");
+  if (m.triangles.empty()) r.refusal = "no facet is left";
+  if (r.refusal.empty()) r.refusal = loss("merging points", before, extent_of(m));
+  if (!r.refusal.empty()) return;
   record(r, drop_sheets(m), "facets of protruding sheets dropped");
   record(r, drop_unused_points(m), "unused points dropped");
+}
+
+/// Performs all steps except the removal of intersections. Stops at the first refusal.
+void repair_surface(Repaired& r, const RepairOptions& options) {
+  TriangleMesh& m = r.mesh;
+  repair_facets(r, options);
+  if (!r.refusal.empty()) return;
   record(r, split_non_manifold(m, r.refusal),
          "points duplicated where more than two facets met at an edge, or fans at a point");
   if (!r.refusal.empty()) return;
   record(r, orient_facets(m, r.refusal), "facets flipped to agree with their neighbours");
   if (!r.refusal.empty()) return;
   record(r, fill_holes(m, r.refusal), "holes filled");
-  if (r.refusal.empty()) record(r, orient_pieces(m), "facets flipped to orient pieces outwards");
+  if (!r.refusal.empty()) return;
+  record(r, orient_pieces(m), "facets flipped to orient pieces outwards");
+  record(r, drop_inner_shells(m),
+         "facets dropped of shells that lie inside another one and bound nothing: to make them "
+         "cavities, reverse their facets");
 }
 
 void repair_intersections(Repaired& r) {
   const std::size_t pairs = self_intersections(r.mesh).size();
   if (pairs == 0) return;
-  if (remove_intersections(r.mesh))
-    record(r, pairs, "intersecting pairs of facets removed by uniting pieces or remeshing");
-  else
+  TriangleMesh changed = r.mesh;
+  if (unite_pieces(changed)) {
+    r.refusal = loss_of_union(r.mesh, changed);
+  } else if (changed = r.mesh; remesh_intersections(changed)) {
+    r.refusal = loss("remeshing around intersections", extent_of(r.mesh), extent_of(changed));
+  } else {
     r.refusal = fmt::format("{} pairs of facets intersect and could not be removed", pairs);
+  }
+  if (!r.refusal.empty()) return;
+  r.mesh = std::move(changed);
+  record(r, pairs, "intersecting pairs of facets removed by uniting pieces or remeshing");
 }
 
 }  // namespace

@@ -58,22 +58,29 @@ struct Repaired {
   std::string refusal;
 };
 
+/// The largest share of the volume, of the area, and of the size along x, y and z by which merging
+/// points or remeshing may change a mesh.
+inline constexpr double most_changed = 0.01;
+
 /// Repairs a mesh so that it bounds a solid, if the mesh determines that solid. The steps are, in
 /// this order:
 /// - merge points;
 /// - drop duplicate facets, and both facets of a pair that face each other;
 /// - remove facets with zero area;
+/// - insert corners into the open edges on which they lie (T-junctions);
 /// - drop sheets that stick out of the surface;
 /// - split edges of four or more facets into pairs that bound the same solid;
 /// - orient facets like the majority of their piece;
 /// - fill holes with the triangulation of least area [CGAL];
-/// - orient pieces outwards and cavities inwards;
-/// - unite overlapping pieces and remesh around intersections [CGAL].
+/// - orient pieces outwards, and drop bodies inside bodies (nested_pieces);
+/// - unite overlapping pieces, or remesh around intersections [CGAL].
 ///
 /// A sound mesh is returned bitwise unchanged, without steps. Refused are edges with an odd number
-/// of facets, one-sided surfaces (a Moebius strip), and meshes that do not bound a solid after the
-/// last step. This repair is an addition of TDBD [+]: the meshes of the thesis came from a mesh
-/// generator (3.3).
+/// of facets, one-sided surfaces (a Moebius strip), meshes that do not bound a solid after the last
+/// step, and steps that change the mesh too much, with the numbers: merging points or remeshing
+/// beyond most_changed; a union that is smaller than one of its bodies, larger than their sum or of
+/// another size; a hole that is not flat and whose patch exceeds most_filled. This repair is an
+/// addition of TDBD [+]: the meshes of the thesis came from a mesh generator (3.3).
 Repaired repair(TriangleMesh m, const RepairOptions& options = {});
 
 /// The command line that writes a repaired copy next to `path`. `weld`: value of --weld, or empty.

@@ -8,12 +8,15 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "mesh/check/check.hpp"
+#include "mesh/check/nesting.hpp"
 #include "mesh/check/self_intersections.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/quiet_cgal.hpp"
+#include "mesh/repair/repair.hpp"
 #include "mesh/repair/repair_steps.hpp"
 
 namespace tdbd::mesh {
@@ -55,18 +58,14 @@ TriangleMesh from_cgal(SurfaceMesh surface) {
   return m;
 }
 
-/// Replaces the mesh by the union of its pieces, if each piece is sound. Returns whether it did.
-bool unite(TriangleMesh& m) {
-  std::vector<TriangleMesh> pieces = divide(m);
-  for (const TriangleMesh& piece : pieces)
-    if (!check_solid(piece).empty()) return false;
-  SurfaceMesh all = to_cgal(pieces.front());
-  for (std::size_t i = 1; i < pieces.size(); ++i) {
-    SurfaceMesh next = to_cgal(pieces[i]);
-    if (!processing::corefine_and_compute_union(all, next, all)) return false;
+/// The union of sound bodies in doubles. Nothing if it is no manifold.
+std::optional<TriangleMesh> united(const std::vector<Solid>& bodies) {
+  SurfaceMesh all = to_cgal(bodies.front().mesh);
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    SurfaceMesh next = to_cgal(bodies[i].mesh);
+    if (!processing::corefine_and_compute_union(all, next, all)) return std::nullopt;
   }
-  m = from_cgal(std::move(all));
-  return true;
+  return from_cgal(std::move(all));
 }
 
 /// Removes facets that have zero area because computed points were rounded. Returns whether the
@@ -77,14 +76,6 @@ bool clean_up(TriangleMesh& m) {
   remove_degenerate(m);
   drop_unused_points(m);
   return check_solid(m).empty();
-}
-
-/// Cuts out facets around intersections and fills the holes, repeatedly.
-bool remesh(TriangleMesh& m) {
-  SurfaceMesh surface = to_cgal(m);
-  if (!processing::experimental::remove_self_intersections(surface)) return false;
-  m = from_cgal(std::move(surface));
-  return true;
 }
 
 }  // namespace
@@ -106,16 +97,33 @@ std::vector<Triangle> triangulate_loop(const std::vector<Vec3>& loop) {
   return triangles;
 }
 
-bool remove_intersections(TriangleMesh& m) {
+bool unite_pieces(TriangleMesh& m) {
   const QuietCgal quiet;
+  std::vector<Solid> bodies;
+  for (TriangleMesh& body : submeshes(m, facets_of_bodies(m)))
+    bodies.push_back({"a piece", std::move(body)});
+  for (const Solid& body : bodies)
+    if (bodies.size() == 1 || !check_solid(body.mesh).empty()) return false;
   try {
-    TriangleMesh united = m;
-    if (unite(united) && clean_up(united)) {
-      m = std::move(united);
+    if (auto both = united(bodies); both && clean_up(*both)) {
+      m = std::move(*both);
       return true;
     }
-    TriangleMesh remeshed = m;
-    if (!remesh(remeshed) || !clean_up(remeshed)) return false;
+  } catch (const std::exception&) {  // a failed assertion in CGAL: exact arithmetic may succeed
+  }
+  United exact = unite(bodies, [](const TriangleMesh&) { return true; });
+  if (!exact.refusal.empty()) return false;
+  m = std::move(exact.mesh);
+  return true;
+}
+
+bool remesh_intersections(TriangleMesh& m) {
+  const QuietCgal quiet;
+  try {
+    SurfaceMesh surface = to_cgal(m);
+    if (!processing::experimental::remove_self_intersections(surface)) return false;
+    TriangleMesh remeshed = from_cgal(std::move(surface));
+    if (!clean_up(remeshed)) return false;
     m = std::move(remeshed);
     return true;
   } catch (const std::exception&) {  // a failed assertion in CGAL

@@ -8,11 +8,9 @@
 #include <utility>
 
 #include "mesh/check/check.hpp"
-#include "mesh/check/self_intersections.hpp"
 #include "mesh/check/weld.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/repair_steps.hpp"
-#include "mesh/search/triangle_tree.hpp"
 
 namespace tdbd::mesh {
 namespace {
@@ -303,30 +301,6 @@ std::size_t orient_facets(TriangleMesh& m, std::string& refusal) {
   return turned;
 }
 
-std::size_t orient_pieces(TriangleMesh& m) {
-  const std::vector<std::vector<int>> pieces = connected_pieces(m.triangles);
-  std::vector<TriangleMesh> meshes;
-  std::vector<TriangleTree> trees;
-  meshes.reserve(pieces.size());
-  trees.reserve(pieces.size());
-  for (const std::vector<int>& piece : pieces) {
-    meshes.push_back(submesh(m, piece));
-    trees.emplace_back(meshes.back());
-  }
-  std::size_t turned = 0;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const auto [a, b, c] = corners(m, at(pieces[i].front()));
-    const Vec3 x = (a + b + c) / 3.0;
-    bool outwards = true;
-    for (std::size_t j = 0; j < pieces.size(); ++j)
-      if (j != i && trees[j].box().contains(x) && inside(trees[j], x)) outwards = !outwards;
-    if ((enclosed_volume(meshes[i]) > 0.0) == outwards) continue;
-    for (const int t : pieces[i]) std::swap(m.triangles[at(t)][1], m.triangles[at(t)][2]);
-    turned += pieces[i].size();
-  }
-  return turned;
-}
-
 std::vector<std::vector<int>> boundary_loops(const TriangleMesh& m) {
   std::map<int, int> next;
   for_each_edge(sorted_sides(m), [&](const Side* first, const Side* last) {
@@ -346,21 +320,55 @@ std::vector<std::vector<int>> boundary_loops(const TriangleMesh& m) {
   return loops;
 }
 
+namespace {
+
+/// Whether the points of a loop lie in a plane, up to a thousandth of its length.
+bool is_flat(const std::vector<Vec3>& loop) {
+  constexpr double flat = 1e-3;
+  Vec3 normal = Vec3::Zero();
+  double length = 0.0;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Vec3 &x = loop[k], &next = loop[(k + 1) % loop.size()];
+    normal += (x - loop[0]).cross(next - loop[0]);
+    length += (next - x).norm();
+  }
+  normal = normal.stableNormalized();
+  return std::ranges::all_of(
+      loop, [&](const Vec3& x) { return std::abs(normal.dot(x - loop[0])) <= flat * length; });
+}
+
+/// Why the patch of a hole is refused: it is large, and its shape is a guess. Empty if it is not.
+std::string patch_refusal(const TriangleMesh& m, const std::vector<Vec3>& loop,
+                          const std::vector<Triangle>& patch) {
+  const double added = area({loop, patch}), present = area(m);
+  if (is_flat(loop) || added <= most_filled * present) return "";
+  return fmt::format(
+      "filling the hole of {} edges at {} adds {:.6g} mm2 to {:.6g} mm2, {:.1f} %; the hole is not "
+      "flat, so its shape is unknown; at most {:.0f} % are filled",
+      loop.size(), in_mm(loop[0]), 1e6 * added, 1e6 * present, 100.0 * added / present,
+      100.0 * most_filled);
+}
+
+}  // namespace
+
 std::size_t fill_loops(TriangleMesh& m, const std::vector<std::vector<int>>& loops,
                        std::string& refusal) {
+  TriangleMesh filled = m;
   for (const std::vector<int>& loop : loops) {
     std::vector<Vec3> points;
     points.reserve(loop.size());
     for (const int v : loop) points.push_back(position(m, v));
     const std::vector<Triangle> patch = triangulate_loop(points);
-    if (patch.size() + 2 != loop.size()) {
+    if (patch.size() + 2 != loop.size())
       refusal =
           fmt::format("the hole of {} edges at {} cannot be filled", loop.size(), in_mm(points[0]));
-      return 0;
-    }
+    else
+      refusal = patch_refusal(m, points, patch);
+    if (!refusal.empty()) return 0;
     for (const Triangle& t : patch)
-      m.triangles.push_back({loop[at(t[0])], loop[at(t[1])], loop[at(t[2])]});
+      filled.triangles.push_back({loop[at(t[0])], loop[at(t[1])], loop[at(t[2])]});
   }
+  m = std::move(filled);
   return loops.size();
 }
 

@@ -37,15 +37,28 @@ std::size_t split_non_manifold(TriangleMesh& m, std::string& refusal);
 /// facets. `refusal` names a one-sided surface.
 std::size_t orient_facets(TriangleMesh& m, std::string& refusal);
 
-/// Orients pieces outwards, or inwards if an odd number of other pieces surrounds them.
+/// Turns each piece that faces inward and is not inside another piece, together with the pieces
+/// inside it (nested_pieces). Pieces that intersect are not inside each other.
 std::size_t orient_pieces(TriangleMesh& m);
+
+/// Drops the pieces inside others that bound nothing (nested_pieces): bodies inside a body, of
+/// which the union is the outer one. Returns the number of facets.
+std::size_t drop_inner_shells(TriangleMesh& m);
+
+/// Splits facets at open edges on which corners of other open edges lie (T-junctions), so that the
+/// facets on both sides have the same corners. A corner lies on an edge if its distance is at most
+/// `weld`, or the rounding of six digits. Returns the number of corners inserted.
+std::size_t split_t_junctions(TriangleMesh& m, double weld);
 
 /// The boundary loops as lists of vertices, in the direction of the facets that would fill them,
 /// which is opposite to that of the open edges. Vertices must be manifold.
 std::vector<std::vector<int>> boundary_loops(const TriangleMesh& m);
 
-/// Fills these boundary loops. Returns their number; `refusal` names a loop that has no
-/// triangulation.
+/// The largest share of the area of a mesh that the patch of a hole may add, unless its loop is flat.
+inline constexpr double most_filled = 0.25;
+
+/// Fills these boundary loops, all or none. Returns their number; `refusal` names a loop that has no
+/// triangulation, or whose patch is too large (most_filled).
 std::size_t fill_loops(TriangleMesh& m, const std::vector<std::vector<int>>& loops,
                        std::string& refusal);
 
@@ -57,9 +70,13 @@ std::size_t fill_holes(TriangleMesh& m, std::string& refusal);
 /// the indices of the points. Empty if there is no triangulation.
 std::vector<Triangle> triangulate_loop(const std::vector<Vec3>& loop);
 
-/// Unites closed pieces and remeshes around the intersections that remain. The mesh must be closed
-/// and oriented. Returns whether all intersections were removed.
-bool remove_intersections(TriangleMesh& m);
+/// Unites the pieces of a closed and oriented mesh, with the cavities inside them. Returns whether
+/// the union is sound; otherwise the mesh is unchanged.
+bool unite_pieces(TriangleMesh& m);
+
+/// Cuts out facets around intersections and fills the holes, repeatedly. The mesh must be closed and
+/// oriented. Returns whether the result is sound; otherwise the mesh is unchanged.
+bool remesh_intersections(TriangleMesh& m);
 
 /// Drops unused vertices.
 std::size_t drop_unused_points(TriangleMesh& m);

@@ -64,7 +64,8 @@ TEST(AttackedPly, headers_are_rejected_with_line_found_and_expected) {
       {ascii + "element face 3\nproperty list float int vertex_indices\n",
        "FILE:4: found a list with a length that is no whole number, expected a type such as uchar"},
       {ascii + "elephant\n",
-       "FILE:3: found 'elephant', expected element, property, comment, obj_info or end_header"},
+       "FILE:3: found 'elephant', expected format, element, property, comment, obj_info or "
+       "end_header"},
       {ascii + "element vertex 0\nproperty double x\nend_header\n",
        "FILE:3: element vertex: found 0 properties y, expected one"},
       {ascii + "element face 0\nproperty double x\nend_header\n",
@@ -132,7 +133,7 @@ TEST(AttackedOff, is_rejected_with_line_found_and_expected) {
        "FILE:6: found a polygon names vertex 3 of 3, expected one of "
        "them"},
       {"OFF\n" + points + "3 0 1 \n",
-       "FILE:7: found the end of the file, expected the number of a vertex, 0 or more"},
+       "FILE:6: found the end of the file, expected the number of a vertex, 0 or more"},
   }};
   for (const auto& [bytes, message] : wrong) EXPECT_EQ(refusal("a.off", bytes), message) << bytes;
 }

@@ -14,6 +14,7 @@
 
 #include "core/error.hpp"
 #include "mesh/check/check.hpp"
+#include "mesh/check/nesting.hpp"
 #include "mesh/check/self_intersections.hpp"
 #include "mesh/files/files.hpp"
 #include "verification/battery/shapes.hpp"
@@ -81,6 +82,7 @@ RC_GTEST_PROP(Solids, formats_with_names_keep_names_and_every_bit, ()) {
 
 RC_GTEST_PROP(Solids, formats_without_names_fall_into_the_same_pieces, ()) {
   const std::vector<Solid> solids = any_solids();
+  RC_PRE(facets_of_bodies(merged(solids)).size() == solids.size());  // none inside another
   for (const char* extension : {".ply", ".off"}) {
     const fs::path path = temporary(std::string("nameless") + extension);
     write_solids(path, solids);
@@ -151,18 +153,18 @@ TEST(Solids, a_facet_given_twice_stays_with_its_body) {
   EXPECT_EQ(pieces[0].triangles.size(), 13u);
 }
 
-TEST(Solids, groups_of_an_obj_may_continue_later) {
+TEST(Solids, a_body_of_an_obj_has_the_name_of_its_group) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
   const auto path = write_text_file(
       "groups.obj", points + "o cutter 1 \ng empty\ng a\nf 1 3 2\ng b\nf 1//1 2//1 4//1\ng a\n" +
-                        "usemtl steel\nf -4 -1 -2\n");
+                        "usemtl steel\nf -4 -1 -2\nf 2 3 4\n" + points +
+                        "g a\nf 5 7 6\nf 5 6 8\ng\ng a\nf 5 8 7\nf 6 7 8\n");
   const std::vector<Solid> solids = read_solids(path, 1e-3);
   ASSERT_EQ(solids.size(), 2u);
-  EXPECT_EQ(solids[0].name, "a");
-  EXPECT_EQ(solids[0].mesh.triangles.size(), 2u);
-  EXPECT_EQ(solids[1].name, "b");
-  EXPECT_EQ(solids[1].mesh.positions.size(), 3u);
-  EXPECT_EQ(solids[1].mesh.positions[2], Vec3(0, 0, 1e-3));
+  EXPECT_EQ(solids[0].name, "solid-1");
+  EXPECT_EQ(solids[0].mesh.positions[3], Vec3(0, 0, 1e-3));
+  EXPECT_EQ(solids[1].name, "a");
+  for (const Solid& solid : solids) EXPECT_TRUE(check_closed(solid.mesh).empty());
 }
 
 std::string refusal(const std::string& name, const std::string& text) {
@@ -181,7 +183,8 @@ void expect_in(const std::string& text, const std::string& part) {
 TEST(Solids, bad_lines_of_text_files_are_named) {
   const std::string facet = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n";
   expect_in(refusal("nan.stl", facet + "vertex 1 nan 0\n"), "nan.stl:5: found 'nan', expected a f");
-  expect_in(refusal("few.stl", facet + "vertex 1 2\n"), "few.stl:5: found 3 words");
+  expect_in(refusal("few.stl", facet + "vertex 1 2\n"),
+            "few.stl:5: found 2 numbers, expected three");
   expect_in(refusal("cut.stl", facet + "vertex 1 0 0\n"), "cut.stl:5: found the end of the file");
   expect_in(refusal("four.stl", facet + "vertex 1 0 0\nvertex 1 1 0\nvertex 2 2 0\n"),
             "four.stl:7: found 'vertex', expected 'endloop'");

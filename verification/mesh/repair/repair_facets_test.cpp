@@ -299,33 +299,6 @@ TEST(OrientFacets, of_a_tie_leaves_the_first_as_it_is) {
   EXPECT_EQ(m.triangles, sound.triangles);
 }
 
-/// Boxes in boxes, each either way round, in any order, and one beside them.
-RC_GTEST_PROP(OrientPieces, turns_every_other_of_nested_pieces_inwards, ()) {
-  const int depth = *battery::integer(1, 4);
-  std::vector<TriangleMesh> pieces{battery::box({20, 0, 0}, {21, 1, 1})};
-  double expected = 1.0;
-  for (int k = 0; k < depth; ++k) {
-    const double half = depth - k + 0.1 * k;
-    pieces.push_back(battery::box(Vec3::Constant(-half), Vec3::Constant(half)));
-    expected += (k % 2 == 0 ? 8.0 : -8.0) * half * half * half;
-  }
-  std::vector<Solid> all;
-  std::size_t inside_out = 0;
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    const bool is_turned = *rc::gen::arbitrary<bool>(), is_cavity = k > 0 && k % 2 == 0;
-    if (is_turned)
-      for (Triangle& t : pieces[k].triangles) turn(t);
-    inside_out += is_turned != is_cavity ? 12u : 0u;
-    all.insert(
-        all.begin() + *rc::gen::inRange<std::ptrdiff_t>(0, static_cast<std::ptrdiff_t>(k) + 1),
-        {"piece", pieces[k]});
-  }
-  TriangleMesh m = shuffled(merged(all));
-  RC_ASSERT(orient_pieces(m) == inside_out);
-  RC_ASSERT(std::abs(enclosed_volume(m) - expected) < 1e-12 * expected);
-  RC_ASSERT(orient_pieces(m) == 0u);
-}
-
 /// Facets of a sphere that share no corner leave a hole each.
 RC_GTEST_PROP(FillHoles, closes_and_counts_every_loop, ()) {
   TriangleMesh m = battery::sphere(1.0, 2);

@@ -107,6 +107,7 @@ TEST(Repair, fills_holes) {
   m.triangles.erase(m.triangles.begin() + 2);
   m.triangles.pop_back();
   const Repaired r = repair(m);
+  ASSERT_FALSE(r.steps.empty()) << r.refusal;
   expect_box(r, r.steps.at(0).count == 2 ? "2 holes filled\n" : "1 holes filled\n");
 }
 
@@ -179,9 +180,10 @@ TEST(Repair, separates_solids_that_share_an_edge) {
   EXPECT_DOUBLE_EQ(enclosed_volume(r.mesh), 2.0);
 }
 
-TEST(Repair, turns_a_cavity_inwards) {
-  const TriangleMesh m = joined(unit_box, battery::box({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}));
-  TriangleMesh broken = m;
+TEST(Repair, keeps_a_cavity) {
+  TriangleMesh cavity = battery::box({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5});
+  for (std::size_t i = 0; i < cavity.triangles.size(); ++i) turn(cavity, i);
+  TriangleMesh broken = joined(unit_box, cavity);
   turn(broken, 0);
   const Repaired r = repair(broken);
   EXPECT_EQ(r.refusal, "");
@@ -195,17 +197,6 @@ TEST(Repair, unites_pieces_that_overlap) {
   EXPECT_EQ(r.refusal, "");
   EXPECT_TRUE(check_solid(r.mesh).empty());
   EXPECT_NEAR(enclosed_volume(r.mesh), 1.0 + 1.0 * 0.25, 1e-12);
-}
-
-/// A vertex pushed through the far side.
-TEST(Repair, remeshes_where_a_surface_crosses_itself) {
-  TriangleMesh m = battery::sphere(1, 2);
-  m.positions[0] *= -1.3;
-  ASSERT_FALSE(self_intersections(m).empty());
-  const Repaired r = repair(m);
-  EXPECT_EQ(r.refusal, "");
-  EXPECT_TRUE(check_solid(r.mesh).empty());
-  EXPECT_NEAR(enclosed_volume(r.mesh), enclosed_volume(battery::sphere(1, 2)), 0.18);
 }
 
 TEST(Repair, rejects_an_odd_edge) {
@@ -338,7 +329,8 @@ TEST(MeshFaults, do_not_try_the_repair_of_a_hole_of_thousands_of_edges) {
   const std::string repair = "tdbd mesh a.off --repair -o a-repaired.off";
   EXPECT_EQ(mesh_faults("a.off", {{"fan", open_fan(1001)}}).back(),
             "a.off: to try a repair: " + repair);
-  EXPECT_EQ(mesh_faults("a.off", {{"fan", open_fan(100)}}).back(), "a.off: to repair: " + repair);
+  EXPECT_NE(mesh_faults("a.off", {{"fan", open_fan(100)}}).back().find("the hole of 100 edges at "),
+            std::string::npos);
 }
 
 }  // namespace tdbd::mesh::repair_test
