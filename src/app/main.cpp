@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -14,6 +15,7 @@
 #include "app/terminal.hpp"
 #include "core/error.hpp"
 #include "core/provenance.hpp"
+#include "core/text.hpp"
 
 namespace {
 
@@ -72,6 +74,17 @@ int dispatch(CLI::App& app, int& exit_code, std::vector<std::string> words) {
   return exit_code;
 }
 
+/// Throws InputError at the first word with a byte that is no UTF-8: names of files are stored in
+/// results, which are UTF-8.
+void require_utf8(const std::vector<std::string>& words) {
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (const auto wrong = tdbd::invalid_utf8(words[i]))
+      throw tdbd::InputError(fmt::format(
+          "command line: word {}: found byte 0x{:02X} after \"{}\", expected UTF-8: rename the "
+          "file",
+          i + 1, static_cast<unsigned char>(words[i][*wrong]), words[i].substr(0, *wrong)));
+}
+
 }  // namespace
 
 /// The command line. Exit codes: 0 success, 1 computation failed, 2 invalid input, 130 interrupted.
@@ -101,7 +114,10 @@ int main(int argc, char** argv) {
   tdbd::app::add_page(app, exit_code);
   tdbd::app::add_report(app, exit_code);
   tdbd::app::add_compare(app, exit_code);
-  const int code = tdbd::app::guarded(
-      [&] { return dispatch(app, exit_code, std::vector<std::string>(argv + 1, argv + argc)); });
+  const int code = tdbd::app::guarded([&] {
+    std::vector<std::string> words(argv + 1, argv + argc);
+    require_utf8(words);
+    return dispatch(app, exit_code, std::move(words));
+  });
   return tdbd::app::after_output(code);
 }

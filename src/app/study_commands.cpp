@@ -310,6 +310,7 @@ struct LaboratoryArguments {
 int make_records(const LaboratoryArguments& a) {
   simulation::require_kind(a.case_file, a.overrides, {simulation::CaseKind::laboratory});
   const auto c = calibration::read_laboratory(a.case_file, a.overrides);
+  for (const std::string& doubt : c.setup.doubts) print_warning(doubt);
   calibration::write_records(c, {a.output, a.cuts, overwrite_of(a.force), a.threads, {}});
   return 0;
 }
