@@ -54,8 +54,9 @@ Fit fit_with_loss(const CalibrationCase& c, const CutStore& cuts, const Problem&
   for (int k = 0; k < most_reweightings; ++k) {
     const Eigen::VectorXd before = f.values;
     f = fit(problem_of(c, cuts, reweighted(c, problem, f.errors)), c.intervals);
-    const Eigen::VectorXd change = (f.values - before).cwiseAbs();
-    if ((change.array() <= settled_weights * before.array().abs()).all())
+    const Eigen::ArrayXd change = (f.values - before).array().abs();
+    const Eigen::ArrayXd errors = f.covariance.diagonal().array().sqrt();
+    if ((change <= settled_weights * errors).all())
       return with_original_deviations(std::move(f), problem);
   }
   throw RunError(

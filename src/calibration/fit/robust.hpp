@@ -10,8 +10,9 @@ namespace tdbd::calibration {
 /// errors, its variance is 5 % above that of least squares (Huber 1964).
 inline constexpr double huber_limit = 1.345;
 
-/// Relative change of the coefficients at which the weights of a robust fit count as settled.
-inline constexpr double settled_weights = 1e-6;
+/// The weights of a robust fit count as settled when no coefficient changes by more than this share
+/// of its standard error.
+inline constexpr double settled_weights = 1e-3;
 
 /// At most so many fits with new weights are made.
 inline constexpr int most_reweightings = 60;
