@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/config/number_doubts.hpp"  // resolved_head, the first line of case.toml
+
 namespace tdbd {
 
 /// Locks a folder for one writer. The kernel releases the lock when the object is destroyed or the
@@ -66,11 +68,6 @@ struct OutputFolder {
   /// Returns frames/NAME-000123.vtp.
   std::filesystem::path frame(const std::string& name, long number) const;
 };
-
-/// First line of the resolved case in a result folder. It distinguishes this case.toml from one
-/// that a user wrote.
-inline constexpr const char* resolved_head =
-    "# Resolved by tdbd: every default written out, in SI.";
 
 /// Creates `path` and all its parents and locks it. This is done before the case is prepared, which
 /// may take minutes, so that only one command at a time writes to a folder. An older result is not

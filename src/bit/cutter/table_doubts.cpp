@@ -90,6 +90,8 @@ struct Change {
   Shape shape = Shape::any;
 };
 
+constexpr const char* diameters_and_radii = "dia_mm, r_tip_mm";
+
 std::vector<Change> whole_changes() {
   return {
       {"h_tip_mm", "heights that decrease towards the gage",
@@ -112,7 +114,7 @@ std::vector<Change> whole_changes() {
       {"r_tip_mm, h_tip_mm", "values that fit the profile when swapped",
        "the radius in r_tip_mm, the height in h_tip_mm",
        [](Cutter& c) { std::swap(c.tip_radius, c.tip_height); }, Shape::tall},
-      {"dia_mm, r_tip_mm", "values that fit the profile when swapped",
+      {diameters_and_radii, "values that fit the profile when swapped",
        "the diameter of the cutter in dia_mm, the radius of its tip in r_tip_mm",
        [](Cutter& c) { std::swap(c.tip_radius, c.diameter); }},
       {"profile_angle_deg, back_rake_deg", "values that fit the profile when swapped",
@@ -277,10 +279,13 @@ Doubts order_doubts(const Cutters& cutters) {
   return if_few(std::move(doubts), cutters.size() / 2);
 }
 
-/// Adds the doubts about rows that have none.
-void add_more(Doubts more, Doubts& doubts) {
+/// Adds the doubts about rows that have none; of one row, all of them or the first.
+enum class OfRow { all, first };
+void add_more(Doubts more, Doubts& doubts, OfRow of_row = OfRow::first) {
+  const Doubts before = of_row == OfRow::all ? doubts : Doubts{};
+  const Doubts& known = of_row == OfRow::all ? before : doubts;
   for (TableDoubt& d : more)
-    if (std::ranges::count(doubts, d.line, &TableDoubt::line) == 0) doubts.push_back(std::move(d));
+    if (std::ranges::count(known, d.line, &TableDoubt::line) == 0) doubts.push_back(std::move(d));
 }
 
 }  // namespace
@@ -288,7 +293,11 @@ void add_more(Doubts more, Doubts& doubts) {
 std::vector<TableDoubt> table_doubts(const std::vector<Cutter>& cutters) {
   const std::size_t faces = tips_along_profile(cutters).size();
   if (faces < fewest || faces > most) return size_doubts(cutters);
-  if (Doubts sizes = size_doubts(cutters); !sizes.empty()) return sizes;
+  if (Doubts sizes = size_doubts(cutters); !sizes.empty()) {
+    Doubts columns = column_doubts(cutters, faces);
+    const bool swapped = !columns.empty() && columns.front().column == diameters_and_radii;
+    return swapped ? columns : sizes;
+  }
   Doubts doubts = height_sign_doubts(cutters);
   if (doubts.empty()) doubts = column_doubts(cutters, faces);
   if (doubts.empty()) {
@@ -301,7 +310,7 @@ std::vector<TableDoubt> table_doubts(const std::vector<Cutter>& cutters) {
   for (Doubts& more : std::array{radian_doubts(cutters), swapped_rakes(cutters)})
     std::ranges::move(more, std::back_inserter(doubts));
   const bool whole_columns = doubts.size() > about_profile;
-  add_more(feature_doubts(cutters), doubts);
+  add_more(feature_doubts(cutters), doubts, OfRow::all);
   add_more(rake_doubts(cutters), doubts);
   if (!whole_columns) add_more(azimuth_doubts(cutters), doubts);
   std::ranges::stable_sort(doubts, {}, &TableDoubt::line);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "core/config/number_doubts.hpp"
 #include "core/config/toml_text.hpp"
 #include "core/error.hpp"
 #include "core/read_file.hpp"
@@ -225,6 +226,7 @@ ConfigDocument parse_document(const std::string& text, const std::string& path) 
   ConfigDocument document;
   document.file = path;
   document.folder = std::filesystem::absolute(path).parent_path().string();
+  document.is_resolved = text.starts_with(resolved_head);
   try {
     document.root = toml::parse(text, path);
   } catch (const toml::parse_error& error) {

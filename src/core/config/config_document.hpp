@@ -32,8 +32,9 @@ struct ResolvedValue {
 /// The state that all Configs of one file share: the tree, what was read of it, and its problems.
 /// Only config*.cpp include this file, and with it toml++.
 struct ConfigDocument {
-  std::string file;    ///< as given
-  std::string folder;  ///< of the file, absolute
+  std::string file;          ///< as given
+  std::string folder;        ///< of the file, absolute
+  bool is_resolved = false;  ///< begins with resolved_head
   toml::table root;
   std::set<std::string> overridden;             ///< keys set by overrides
   std::string origin = "--set";                 ///< of the overrides, for messages

@@ -115,7 +115,7 @@ std::string unit_question(const toml::node& node, double x, const std::string& s
 /// Stores the doubt about a bare number, at most one for each key.
 void note_doubt(ConfigDocument& document, const std::string& key, const toml::node& node, double x,
                 const std::string& si_unit, const Range& allowed, const Range& usual) {
-  if (node.is_string()) return;
+  if (node.is_string() || (document.is_resolved && !document.overridden.contains(key))) return;
   const std::string doubt = bare_number_doubt(x, si_unit, allowed, usual);
   if (!doubt.empty()) document.doubts.try_emplace(key, doubt);
 }

@@ -6,6 +6,11 @@
 
 namespace tdbd {
 
+/// First line of the resolved case in a result folder. It distinguishes this case.toml from one
+/// that a user wrote. Its numbers are in SI, so only overrides of it are doubted.
+inline constexpr const char* resolved_head =
+    "# Resolved by tdbd: every default written out, in SI.";
+
 /// The values (SI, without sign) that a quantity usually has. `declared` has precedence if it has a
 /// limit. Otherwise the values depend on the unit: angles up to one turn, forces from 20 N,
 /// pressures from 0.09 MPa, angular speeds up to 35 rad/s (334 rpm), and so on. Lengths whose range

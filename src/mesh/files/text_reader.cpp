@@ -97,7 +97,11 @@ std::string_view TextCursor::take_line() {
   return line;
 }
 
-std::string_view TextCursor::rest_of_line() { return trimmed(take_line()); }
+std::string_view TextCursor::rest_of_line() {
+  const std::string_view rest = text_.substr(0, std::min(text_.find('\n'), text_.size()));
+  text_.remove_prefix(rest.size());  // not the line end: messages about the rest name its line
+  return trimmed(rest);
+}
 
 void TextCursor::end_line() {
   for (bool continues = true; continues;) {

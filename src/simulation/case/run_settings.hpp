@@ -15,16 +15,22 @@
 
 namespace tdbd::simulation {
 
+/// What a warning is about. text: how the input is written, so it is not in summary.json, which is the
+/// same for a resolved case.
+enum class WarningAbout { result, text };
+
 /// A setting without effect, or a value that is probably unintended. TDBD warns and continues.
 struct CaseWarning {
   std::string place;  ///< "FILE:LINE: KEY" (Config::place)
   std::string key;    ///< dotted, from the top of the file
   std::string text;   ///< what has no effect or is doubtful, and what to do
+  WarningAbout about = WarningAbout::result;
 };
 
 /// The doubts about numbers without a unit (Config::doubts) as warnings.
 inline void add_number_doubts(const Config& c, std::vector<CaseWarning>& warnings) {
-  for (const ConfigDoubt& d : c.doubts()) warnings.push_back({d.place, d.key, d.text});
+  for (const ConfigDoubt& d : c.doubts())
+    warnings.push_back({d.place, d.key, d.text, WarningAbout::text});
 }
 
 /// Returns "FILE:LINE: KEY: TEXT", for users who have the file.
@@ -32,6 +38,14 @@ inline std::string with_place(const CaseWarning& w) { return w.place + ": " + w.
 
 /// Returns "KEY: TEXT", which does not depend on the path and the layout of the file.
 inline std::string without_place(const CaseWarning& w) { return w.key + ": " + w.text; }
+
+/// Returns the warnings about a result, for summary.json.
+inline std::vector<std::string> texts_of_result(const std::vector<CaseWarning>& warnings) {
+  std::vector<std::string> texts;
+  for (const CaseWarning& w : warnings)
+    if (w.about == WarningAbout::result) texts.push_back(without_place(w));
+  return texts;
+}
 
 /// The default number of rows of a history is at most this, for the size of plots and files.
 inline constexpr long most_history_rows = 10'000;

@@ -288,8 +288,7 @@ Json run_json(const ChainCase& c, const ChainSimulation& s, const StringSummary&
 
 std::string summary_json(const ChainCase& c, const ChainSimulation& s, RunStatus status) {
   Json json = summary_head("string", c.title, status, c.hash, 0);
-  Json warnings = Json::array();
-  for (const CaseWarning& w : c.warnings) warnings.push_back(without_place(w));
+  const Json warnings = texts_of_result(c.warnings);
   const StringSummary figures = summarize(c, s);
   json["warnings"] = warnings;
   json.update(statics_json(figures));

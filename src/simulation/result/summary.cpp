@@ -259,7 +259,7 @@ RunSummary summary_of(const Case& c, const Simulation& s, RunStatus status) {
   r.title = c.title;
   r.status = status;
   r.case_hash = c.hash;
-  for (const CaseWarning& w : c.warnings) r.warnings.push_back(without_place(w));
+  r.warnings = texts_of_result(c.warnings);
   r.found_at_end = end_warnings(c, s);
   for (const CaseWarning& w : r.found_at_end) r.warnings.push_back(without_place(w));
   const double from = time_at(c.time, c.time.first), to = time_at(c.time, s.state.steps_done);

@@ -193,7 +193,7 @@ std::vector<std::string> answer_lines(const RotateCase& c, const RotateSimulatio
 
 std::string summary_json(const RotateCase& c, const RotateSimulation& s, RunStatus status) {
   Json json = summary_head("rotate", c.title, status, c.hash, 0);
-  for (const CaseWarning& w : c.warnings) json["warnings"].push_back(without_place(w));
+  for (const std::string& w : texts_of_result(c.warnings)) json["warnings"].push_back(w);
   for (const CaseWarning& w : end_warnings(c, s)) json["warnings"].push_back(without_place(w));
   json.update(Json{{"steps", s.steps_done},
                    {"step_s", c.time.step},

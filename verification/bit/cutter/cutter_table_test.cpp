@@ -119,13 +119,13 @@ TEST_F(CutterTable, names_every_mistake_at_once) {
                      "X,5,1,nose\n"),
             ":2: dia_mm: found 'nineteen', expected a number\n"
             ":3: blade: found '1.5', expected a whole number\n"
+            ":3: side_rake_deg: found 'nan', expected a number\n"
+            ":4: chamfer_mm: found 9.5, expected less than the cutter's radius, 9.5\n"
+            ":6: row: found 4 cells, expected 12, as in the header\n"
             ":3: dia_mm: found 0, expected a positive diameter\n"
             ":3: r_tip_mm: found -1, expected a radius >= 0\n"
             ":3: profile_angle_deg: found 110, expected an angle in -90..100\n"
             ":3: back_rake_deg: found -6, expected an angle in -5..60\n"
-            ":3: side_rake_deg: found 'nan', expected a number\n"
-            ":4: chamfer_mm: found 9.5, expected less than the cutter's radius, 9.5\n"
-            ":6: row: found 4 cells, expected 12, as in the header\n"
             ":3: cutter: found 1, as in line 2, expected a number of its own\n"
             ":5: r_tip_mm, phi_deg, h_tip_mm: found the tip of line 4, expected a tip of its own");
 }

@@ -192,8 +192,10 @@ const std::vector<WrongTable>& wrong_tables() {
          for (std::size_t k = 1; k < r.size(); ++k) r[k][side_rake] = "7";
          exchange(r, back_rake, side_rake);
        },
-       "TABLE:2: back_rake_deg, side_rake_deg: found side rakes of about 16.4 deg and back rakes "
-       "of about 7 deg, expected back rakes larger than side rakes; are the columns swapped?\n"},
+       "warning: TABLE:2: back_rake_deg, side_rake_deg: found side rakes of about 16.4 deg and "
+       "back "
+       "rakes of about 7 deg, expected back rakes larger than side rakes; are the columns "
+       "swapped?\n"},
       {"all back rakes negative", [](Rows& r) { scale(r, back_rake, -1.0); },
        "TABLE:2: back_rake_deg: found -12 and 27 more values outside the range, expected an angle "
        "in -5..60: positive rakes lean back; change the sign of the column, or are back and side "
@@ -225,7 +227,7 @@ const std::vector<WrongTable>& wrong_tables() {
          for (const Column c : {dia, r_tip, h_tip}) scale(r, c, 4.0 / 25.4);
          scale(r, dia, 0.25);
        },
-       "TABLE:2: r_tip_mm: found a bit of 34 mm with cutters of 0.748031 mm, expected cutters of 3 "
+       "TABLE:2: r_tip_mm: found a bit of 34 mm with cutters of 0.748 mm, expected cutters of 3 "
        "to 60 mm; are lengths in inches (then name the column r_tip_in)?\n"},
       {"the profile of a large bit in inches",
        [](Rows& r) {

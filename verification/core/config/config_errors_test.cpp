@@ -1,5 +1,6 @@
 #include <sstream>
 
+#include "core/config/number_doubts.hpp"
 #include "verification/core/config/config_mistakes.hpp"
 
 namespace tdbd::config_errors_test {
@@ -149,6 +150,15 @@ TEST(ConfigDoubts, are_about_the_first_such_number_of_an_array) {
   EXPECT_EQ(doubts[0].text, "90 without a unit is 90 rad; did you mean \"90 deg\"?");
   EXPECT_EQ(doubts[1].text, "300 without a unit is 300 m; did you mean \"300 mm\" or \"300 in\"?");
   EXPECT_TRUE(doubts[2].text.starts_with("15 without a unit is 15 m/s;"));
+}
+
+/// The numbers of a resolved case are in SI.
+TEST(ConfigDoubts, are_not_about_a_resolved_case) {
+  for (const std::string head : {"", resolved_head}) {
+    Config c = Config::read_text(head + "\na = 15\n", "x.toml");
+    c.quantity("a", "N");
+    EXPECT_EQ(c.doubts().empty(), !head.empty());
+  }
 }
 
 /// The message suggests the units in which the number is in range, if no unit was given.
