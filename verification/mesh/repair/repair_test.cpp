@@ -199,6 +199,21 @@ TEST(Repair, unites_pieces_that_overlap) {
   EXPECT_NEAR(enclosed_volume(r.mesh), 1.0 + 1.0 * 0.25, 1e-12);
 }
 
+/// A vertex moved past its neighbours: the surface folds over itself in one place.
+TEST(Repair, remeshes_where_a_surface_crosses_itself) {
+  const TriangleMesh whole = battery::sphere(1, 3);
+  TriangleMesh m = whole;
+  const Vec3 out = whole.positions[0], along = out.cross(Vec3::UnitZ()).normalized();
+  m.positions[0] = 0.97 * out + 0.3 * along;
+  ASSERT_FALSE(self_intersections(m).empty());
+  const Repaired r = repair(m);
+  EXPECT_EQ(r.refusal, "");
+  EXPECT_NE(steps_of(r).find("by uniting pieces or remeshing"), std::string::npos) << steps_of(r);
+  EXPECT_TRUE(check_solid(r.mesh).empty());
+  constexpr double patch = 5e-4;  // of the volume: the facets around a vertex
+  EXPECT_NEAR(enclosed_volume(r.mesh) / enclosed_volume(whole), 1.0, patch);
+}
+
 TEST(Repair, rejects_an_odd_edge) {
   TriangleMesh m = joined(unit_box, battery::box({1, 0, 0}, {2, 1, 1}));
   m.triangles = merge_equal_vertices(m);
