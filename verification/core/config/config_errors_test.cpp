@@ -156,7 +156,7 @@ TEST(ConfigDoubts, are_about_the_first_such_number_of_an_array) {
 TEST(ConfigDoubts, are_not_about_a_resolved_case) {
   for (const std::string head : {"", resolved_head}) {
     Config c = Config::read_text(head + "\na = 15\n", "x.toml");
-    c.quantity("a", "N");
+    c.quantity("a", "N", {});
     EXPECT_EQ(c.doubts().empty(), !head.empty());
   }
 }
