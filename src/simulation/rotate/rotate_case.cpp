@@ -94,7 +94,6 @@ RotateCase read_rotate_case(const std::string& path, const std::vector<std::stri
   r.resolved = c.resolved();
   r.hash = fnv1a_hex(c.fingerprint());
   r.quantities = c.quantities();
-  add_number_doubts(c, r.warnings);
   doubt_step(c, r);
   return r;
 }
