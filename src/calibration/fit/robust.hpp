@@ -12,10 +12,10 @@ inline constexpr double huber_limit = 1.345;
 
 /// The weights of a robust fit count as settled when no coefficient changes by more than this share
 /// of its standard error.
-inline constexpr double settled_weights = 1e-3;
+inline constexpr double settled_weights = 1e-2;
 
 /// At most so many fits with new weights are made.
-inline constexpr int most_reweightings = 60;
+inline constexpr int most_reweightings = 1000;
 
 /// Fits a problem of a case with the loss of the case. Loss::huber repeats the fit: a reading that is
 /// d > huber_limit standard deviations away gets its own deviation multiplied by
