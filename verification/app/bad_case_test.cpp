@@ -134,7 +134,8 @@ TEST(BadCase, legs) {
 
 TEST(BadCase, a_tilt_beyond_half_a_radian) {
   expect_refused(moving("rotary_speed = 1\nrate_of_penetration = 0\n[motion.tilt]\nangle = 1"),
-                 "case.toml:10: motion.tilt.angle: found 1, expected angle in rad, in [0, 0.5]");
+                 "case.toml:10: motion.tilt.angle: found 1, expected angle in rad, in [0, 0.5]; "
+                 "without a unit it is in rad: did you mean \"1 deg\"?");
 }
 
 TEST(BadCase, a_profile_off_the_axis_or_of_one_point) {

@@ -12,9 +12,9 @@ inline constexpr double huber_limit = 1.345;
 
 /// The weights of a robust fit count as settled when no coefficient changes by more than this share
 /// of its standard error.
-inline constexpr double settled_weights = 1e-2;
+inline constexpr double settled_weights = 1e-4;
 
-/// At most so many fits with new weights are made.
+/// At most so many fits with new weights are made. They converge linearly, so some need hundreds.
 inline constexpr int most_reweightings = 1000;
 
 /// Fits a problem of a case with the loss of the case. Loss::huber repeats the fit: a reading that is

@@ -68,6 +68,8 @@ std::string units_meant(double x, const std::string& si_unit, const Range& allow
   std::string all;
   const UsualUnit* unit = find_usual(si_unit);
   if (unit == nullptr) return all;
+  constexpr double least_percentage = 3.0;  // smaller numbers are shares beyond their limit
+  if (si_unit == "1" && std::abs(x) < least_percentage) return all;
   for (const std::string_view written : unit->written) {
     if (written.empty()) continue;
     try {
