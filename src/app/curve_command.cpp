@@ -190,6 +190,7 @@ int draw_up_curve(const CurveArguments& a) {
   const fs::path folder = curve_folder(a);
   Progress progress;
   sweep::SweepOptions options{folder / "curve.nc", {}, a.threads, &save_on_interrupt()};
+  options.warn = print_warning;
   if (!a.quiet)
     options.progress = [&](long done, long total) {
       if (progress.is_due(done, total)) progress.show(done, total, "  runs");

@@ -215,6 +215,7 @@ int sweep_points(const SweepArguments& a) {
   if (a.figures) return list_figures(d, table);
   Progress progress;
   sweep::SweepOptions options{table, shard, a.threads, &save_on_interrupt()};
+  options.warn = print_warning;
   if (!a.quiet)
     options.progress = [&](long done, long total) {
       if (progress.is_due(done, total)) progress.show(done, total, "  points");

@@ -59,6 +59,13 @@ std::optional<std::size_t> invalid_utf8(std::string_view text) {
   return std::nullopt;
 }
 
+std::string utf8_or_latin1(std::string text) {
+  if (!invalid_utf8(text)) return text;
+  std::string converted;
+  for (const char byte : text) add_utf8(static_cast<unsigned char>(byte), converted);
+  return converted;
+}
+
 std::string utf8_of_utf16(std::string_view bytes, std::size_t low, std::size_t high) {
   const auto unit = [&](std::size_t i) {
     return static_cast<char32_t>(static_cast<unsigned char>(bytes[i + low]) |

@@ -23,6 +23,9 @@ std::string lower_case(std::string_view text);
 /// whole text is valid.
 std::optional<std::size_t> invalid_utf8(std::string_view text);
 
+/// The text, converted from Latin-1 (ISO 8859-1) if it is not UTF-8.
+std::string utf8_or_latin1(std::string text);
+
 /// Converts UTF-16 to UTF-8. `low`, `high`: positions (0 or 1) of the
 /// low and the high byte in a code unit. A lone surrogate becomes U+FFFD.
 std::string utf8_of_utf16(std::string_view bytes, std::size_t low, std::size_t high);

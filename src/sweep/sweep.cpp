@@ -23,16 +23,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of those cases that can be read.
+/// The inputs of those cases that can be read.
 struct Seen {
-  std::set<std::string> files;
+  std::set<std::string> files, doubts;
   bool any = false;           ///< a case could be read
   std::string first_problem;  ///< the mistakes of the first case that could not
 };
 
 void look_at(const Design& d, const std::vector<std::string>& overrides, Seen& seen) {
   try {
-    for (const std::string& file : files_of(d, overrides)) seen.files.insert(file);
+    const PointInputs inputs = inputs_of(d, overrides);
+    seen.files.insert(inputs.files.begin(), inputs.files.end());
+    seen.doubts.insert(inputs.doubts.begin(), inputs.doubts.end());
     seen.any = true;
   } catch (const InputError& e) {
     if (seen.first_problem.empty()) seen.first_problem = e.what();
@@ -46,17 +48,28 @@ std::string hash_of(const Design& d, const std::set<std::string>& files) {
   return fnv1a_hex(all);
 }
 
-/// Returns the contents of all files that points read. Only levels that are texts can name files.
-/// Each of them is read once, with the first levels of all other factors. If none of these cases
-/// can be read, nor some points in between, the design itself is wrong.
-std::string content_of(const Design& d, const Points& points) {
+/// Passes on the first doubts, each of them once.
+void warn_of(const Seen& seen, const SweepOptions& options) {
+  constexpr long most = 8;
+  if (!options.warn) return;
+  long told = 0;
+  for (const std::string& doubt : seen.doubts)
+    if (told++ < most) options.warn(doubt);
+  if (told > most) options.warn(fmt::format("... and {} more doubts of this kind", told - most));
+}
+
+/// Returns the inputs of the points. Only levels that are texts can name files. Each of them is read
+/// once, with the first levels of all other factors, and so is the last level of the others: the
+/// levels of a factor share their unit. If none of these cases can be read, nor some points in
+/// between, the design itself is wrong.
+Seen inputs_of_points(const Design& d, const Points& points) {
   constexpr long others = 8;
   Seen seen;
   const std::vector<std::string> first = overrides_at(d, points, 0);
   look_at(d, first, seen);
   for (std::size_t k = 0; k < d.factors.size(); ++k)
     for (const Level& level : d.factors[k].levels)
-      if (!level.number) {
+      if (!level.number || &level == &d.factors[k].levels.back()) {
         std::vector<std::string> overrides = first;
         overrides[d.fixed.size() + k] = d.factors[k].key + "=" + level.word.toml;
         look_at(d, overrides, seen);
@@ -65,7 +78,7 @@ std::string content_of(const Design& d, const Points& points) {
     look_at(d, overrides_at(d, points, k * (points.count - 1) / others), seen);
   if (!seen.any) throw InputError(seen.first_problem);
   look_at(d, d.fixed, seen);  // the unchanged case of a filter
-  return hash_of(d, seen.files);
+  return seen;
 }
 
 /// Returns the key of a point. `content`: a hash of the files that points read.
@@ -85,13 +98,12 @@ struct PointList {
   std::vector<std::string> keys;
 };
 
-/// The points of a design, followed by the unchanged case.
-PointList list_of(const Design& d, const Points& points) {
+/// The points of a design, followed by the unchanged case. `content`: hash_of what they read.
+PointList list_of(const Design& d, const Points& points, const std::string& content) {
   PointList list;
   list.overrides = [&d, &points](long i) {
     return i < points.count ? overrides_at(d, points, i) : d.fixed;
   };
-  const std::string content = content_of(d, points);
   for (long i = 0; i <= points.count; ++i)
     list.keys.push_back(key_of(d, content, list.overrides(i)));
   return list;
@@ -185,7 +197,8 @@ std::vector<long> points_to_do(const Shard& shard, const PointList& list,
 /// all points, and uses those that other shards have already computed.
 Judged judge_points(const Design& d, const Points& points, Journal& journal, SweepOptions options) {
   const Design planar = planar_design(d);
-  const PointList list = list_of(planar, points);
+  const PointList list =
+      list_of(planar, points, hash_of(planar, inputs_of_points(planar, points).files));
   const fs::path folder = points_folder(options.table);
   SweepResult all;
   options.progress = {};
@@ -239,7 +252,8 @@ fs::path points_folder(const fs::path& table) {
 }
 
 std::vector<std::string> point_keys(const Design& d, const Points& points) {
-  std::vector<std::string> keys = list_of(d, points).keys;
+  std::vector<std::string> keys =
+      list_of(d, points, hash_of(d, inputs_of_points(d, points).files)).keys;
   keys.pop_back();
   return keys;
 }
@@ -276,7 +290,9 @@ SweepResult run_sweep(const Design& d, const SweepOptions& options) {
   const ThreadLimit one(1);
   SweepResult result;
   const Points points = points_of(d);
-  PointList list = list_of(d, points);
+  const Seen seen = inputs_of_points(d, points);
+  warn_of(seen, options);
+  PointList list = list_of(d, points, hash_of(d, seen.files));
   if (!d.filter) list.keys.pop_back();
   const fs::path folder = points_folder(options.table);
   Journal journal(journal_folder(options));

@@ -24,7 +24,9 @@ struct SweepOptions {
   const std::atomic<bool>* interrupted =
       nullptr;  ///< set by another thread: running points are abandoned
   std::function<void(long, long)> progress = {};  ///< points completed and in all, of this shard
-  Keeping keeping = Keeping::on;                  ///< affects the run time only
+  std::function<void(const std::string&)> warn =
+      {};                         ///< a doubt about a number of the cases, before any point runs
+  Keeping keeping = Keeping::on;  ///< affects the run time only
 };
 
 /// The result of a sweep.

@@ -102,6 +102,10 @@ def check_field_files(folder):
     assert read.returncode == 0 and read.stdout.splitlines()[1].split()[7] == "64000.000", read
     assert read.stderr == (f"tdbd: warning: {binary}: found 80 bytes after the 12 facets that the header declares; "
                            "they are ignored\n"), read
+    bit = folder / "long.toml"
+    bit.write_text("""name = "long"\n[[parts]]\nname = "body"\nkind = "body"\nfile = "long.stl"\nunit = "1 mm"\n""")
+    read = tdbd("bit", bit)
+    assert f"tdbd: warning: {bit}:5: parts[0].file: " in read.stderr and "found 80 bytes after the 12 facets" in read.stderr, read
     inner = CUBE + [(10 + x / 2, 10 + y / 2, 10 + z / 2) for x, y, z in CUBE]
     nested, out = folder / "nested.stl", folder / "nested-out.stl"
     nested.write_text(solid("a", SIDES + [tuple(v + 8 for v in t) for t in SIDES], inner))

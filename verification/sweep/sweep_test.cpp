@@ -51,6 +51,32 @@ TEST(Sweep, figures_are_those_of_single_runs) {
   }
 }
 
+/// A level, an end of an interval, or a number of [set], in SI by mistake.
+TEST(Sweep, doubts_numbers_without_a_unit_once_before_it_runs) {
+  const fs::path folder = empty_folder("doubts");
+  const Design d = design_from(
+      folder, small_hole("[[factors]]\nkey = \"motion.rotary_speed\"\nvalues = [10, 60, 120]\n"
+                         "[[factors]]\nkey = \"motion.rate_of_penetration\"\nfrom = 10\n"
+                         "to = 20\ncount = 2\n"));
+  std::vector<std::string> told;
+  SweepOptions options{.table = folder / "t.nc", .shard = {}};
+  options.warn = [&](const std::string& doubt) {
+    told.push_back(doubt.substr(doubt.find(": ") + 2));
+  };
+  run_sweep(d, options);
+  EXPECT_EQ(
+      told,
+      (std::vector<std::string>{
+          "motion.rate_of_penetration: 10 without a unit is 10 m/s; did you mean \"10 m/h\" or "
+          "\"10 "
+          "ft/h\" or \"10 mm/s\"?",
+          "motion.rate_of_penetration: 20 without a unit is 20 m/s; did you mean \"20 m/h\" or "
+          "\"20 "
+          "ft/h\" or \"20 mm/s\"?",
+          "motion.rotary_speed: 120 without a unit is 120 rad/s; did you mean \"120 rpm\" or \"120 "
+          "deg/s\"?"}));
+}
+
 TEST(Sweep, rotates_and_analyses_too) {
   const fs::path folder = empty_folder("commands");
   const Design top = design_from(folder, small_top());

@@ -78,6 +78,19 @@ Doubts swapped_rakes(const Cutters& cutters) {
       "back rakes larger than side rakes; are the columns swapped?", Severity::doubtful)};
 }
 
+/// Side rakes of which none is positive: the faces would send cuttings to the middle of the bit.
+Doubts inward_side_rakes(const Cutters& cutters) {
+  constexpr double visible = 1.5 * degree;
+  const auto [least, greatest] = std::ranges::minmax(cutters, {}, &Cutter::side_rake);
+  if (greatest.side_rake > 0.0 || least.side_rake > -visible) return {};
+  return {whole_column(cutters, "side_rake_deg",
+                       fmt::format("side rakes of {:.3g} to {:.3g} deg", least.side_rake / degree,
+                                   greatest.side_rake / degree + 0.0),  // no -0
+                       "usually 0 to 10 deg, which send cuttings outwards; is the sign of the "
+                       "column wrong?",
+                       Severity::doubtful)};
+}
+
 /// Bits are wider than the tips are high. Two changes with the same effect differ in it.
 enum class Shape { any, wide, tall };
 
@@ -307,7 +320,8 @@ std::vector<TableDoubt> table_doubts(const std::vector<Cutter>& cutters) {
     if (doubts.empty()) doubts = gap_doubts(cutters);
   }
   const std::size_t about_profile = doubts.size();
-  for (Doubts& more : std::array{radian_doubts(cutters), swapped_rakes(cutters)})
+  for (Doubts& more :
+       std::array{radian_doubts(cutters), swapped_rakes(cutters), inward_side_rakes(cutters)})
     std::ranges::move(more, std::back_inserter(doubts));
   const bool whole_columns = doubts.size() > about_profile;
   add_more(feature_doubts(cutters), doubts, OfRow::all);

@@ -23,7 +23,9 @@ mesh::TriangleMesh read_part_mesh(Config& c, const std::string& name) {
   const std::string expected = "a closed mesh with outward normals (STL, OBJ, PLY or OFF)";
   if (contradicts_unit(c, s.file, s.unit)) return {};
   try {
-    mesh::TriangleMesh m = mesh::read_mesh(s.file, s.unit);
+    std::vector<std::string> warnings;
+    mesh::TriangleMesh m = mesh::read_mesh(s.file, s.unit, &warnings);
+    for (const std::string& w : warnings) c.doubt("file", w);
     report_mesh_faults(c, "file", s.file, {{name, m}}, expected);
     return m;
   } catch (const InputError& e) {

@@ -24,7 +24,9 @@ constexpr const char* solids_wanted = "closed meshes with outward normals (STL, 
 std::vector<mesh::Solid> read_file(Config& c, const SolidSettings& s) {
   if (s.file.empty() || contradicts_unit(c, s.file, s.unit)) return {};
   try {
-    std::vector<mesh::Solid> solids = mesh::read_solids(s.file, s.unit);
+    std::vector<std::string> warnings;
+    std::vector<mesh::Solid> solids = mesh::read_solids(s.file, s.unit, 0.0, &warnings);
+    for (const std::string& w : warnings) c.doubt("file", w);
     report_mesh_faults(c, "file", s.file, solids, solids_wanted);
     return solids;
   } catch (const InputError& e) {

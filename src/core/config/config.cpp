@@ -127,6 +127,10 @@ std::size_t Config::problem_count() const {
   return document_->problems.size() + document_->other_mistakes.size();
 }
 
+void Config::doubt(const std::string& key, const std::string& text) {
+  document_->doubts.try_emplace(full(key), text);
+}
+
 std::vector<ConfigDoubt> Config::doubts() const {
   std::vector<ConfigDoubt> doubts;
   for (const auto& [key, text] : document_->doubts)

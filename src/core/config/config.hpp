@@ -183,8 +183,11 @@ class Config {
   /// same for the same contents, wherever the files are.
   std::string fingerprint() const;
 
-  /// Returns the doubts about numbers without a unit that were read so far, sorted by key: values
-  /// that are unusual in SI and usual in another unit (number_doubts.hpp).
+  /// Records a doubt about a value that can be used.
+  void doubt(const std::string& key, const std::string& text);
+
+  /// Returns the recorded doubts and those about numbers without a unit that were read so far,
+  /// sorted by key: values that are unusual in SI and usual in another unit (number_doubts.hpp).
   std::vector<ConfigDoubt> doubts() const;
 
   /// Returns every single quantity read so far, in SI, by its dotted key.

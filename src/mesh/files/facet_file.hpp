@@ -12,12 +12,14 @@
 namespace tdbd::mesh {
 
 /// The content of a mesh file: points, polygons, and the solid of a text STL or the group of an OBJ
-/// to which each polygon belongs. Solids are bodies; groups only name facets. Points are in the unit of the file. Those of a text file that states a
-/// decimal unit are in m, converted digit by digit (decimal_number).
+/// to which each polygon belongs. Solids are bodies; groups only name facets. Points are in the unit
+/// of the file. Those of a text file that states a decimal unit are in m, converted digit by digit
+/// (decimal_number).
 struct FacetFile {
   std::vector<Vec3> points;
   std::vector<std::vector<int>> polygons;
-  std::vector<std::string> names;  ///< of solids or groups in file order; empty for PLY and OFF
+  std::vector<std::string> names;  ///< of solids or groups in file order, UTF-8; names that are not
+                                   ///< are taken for Latin-1; empty for PLY and OFF
   std::vector<int> body;           ///< index into names per polygon; empty without names
   enum class Names { bodies, groups };
   Names names_are = Names::bodies;

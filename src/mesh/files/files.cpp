@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/read_file.hpp"
+#include "core/text.hpp"
 #include "io/whole_file.hpp"
 #include "mesh/files/facet_file.hpp"
 #include "mesh/files/ply.hpp"
@@ -72,6 +73,7 @@ FacetFile read_any(const std::filesystem::path& path) {
     if (power) file.points_are = FacetFile::Points::in_m;
   }
   file.unit = unit;
+  for (std::string& n : file.names) n = utf8_or_latin1(std::move(n));
   return file;
 }
 

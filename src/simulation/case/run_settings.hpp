@@ -39,6 +39,14 @@ inline std::string with_place(const CaseWarning& w) { return w.place + ": " + w.
 /// Returns "KEY: TEXT", which does not depend on the path and the layout of the file.
 inline std::string without_place(const CaseWarning& w) { return w.key + ": " + w.text; }
 
+/// Returns the doubts about numbers without a unit, with their places.
+inline std::vector<std::string> doubts_about_numbers(const std::vector<CaseWarning>& warnings) {
+  std::vector<std::string> texts;
+  for (const CaseWarning& w : warnings)
+    if (w.about == WarningAbout::text) texts.push_back(with_place(w));
+  return texts;
+}
+
 /// Returns the warnings about a result, for summary.json.
 inline std::vector<std::string> texts_of_result(const std::vector<CaseWarning>& warnings) {
   std::vector<std::string> texts;

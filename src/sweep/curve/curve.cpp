@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <set>
 
 #include "core/error.hpp"
 #include "forces/rock/rock_material.hpp"
@@ -85,6 +86,10 @@ class CurveRuns {
     for (const CurveRock& rock : plan.rocks)
       cases_.push_back(sim::read_case(plan.case_file, overrides_of(rock)));
     result_.same_in_all_rocks = is_same_in_all_rocks();
+    std::set<std::string> doubts;
+    for (const sim::Case& c : cases_)
+      for (const std::string& doubt : sim::doubts_about_numbers(c.warnings)) doubts.insert(doubt);
+    if (options.warn) std::ranges::for_each(doubts, options.warn);
   }
 
   CurveResult run() {

@@ -236,21 +236,28 @@ PointOutcome run_point(const Design& d, const Words& overrides, PointSurrounding
   return outcome;
 }
 
-Words files_of(const Design& d, const Words& overrides) {
+PointInputs inputs_of(const Design& d, const Words& overrides) {
   switch (d.command) {
     case Command::run:
-    case Command::planar:
-      return sim::read_case(d.case_file, overrides).files;
-    case Command::rotate:
-      return sim::read_rotate_case(d.case_file, overrides).files;
-    case Command::calibrate:
-      return calibration::read_calibration(d.case_file, overrides).files;
+    case Command::planar: {
+      const sim::Case c = sim::read_case(d.case_file, overrides);
+      return {c.files, sim::doubts_about_numbers(c.warnings)};
+    }
+    case Command::rotate: {
+      const sim::RotateCase c = sim::read_rotate_case(d.case_file, overrides);
+      return {c.files, {}};
+    }
+    case Command::calibrate: {
+      const auto c = calibration::read_calibration(d.case_file, overrides);
+      return {c.files, c.doubts};
+    }
     case Command::bit:
       break;
   }
-  return bit::read_bit(d.case_file, bit::DirectionRule::hybrid, bit::InsideRule::down,
-                       bit::Densities::as_given, overrides)
-      .files;
+  return {bit::read_bit(d.case_file, bit::DirectionRule::hybrid, bit::InsideRule::down,
+                        bit::Densities::as_given, overrides)
+              .files,
+          {}};
 }
 
 Words figures_on_offer(const Design& d, const Words& overrides, const std::filesystem::path& cuts) {

@@ -116,8 +116,14 @@ struct Interrupted {};
 PointOutcome run_point(const Design& d, const std::vector<std::string>& overrides,
                        PointSurroundings& around);
 
-/// Returns the files that a point reads: case, bit, tables. Throws InputError if its case is wrong.
-std::vector<std::string> files_of(const Design& d, const std::vector<std::string>& overrides);
+/// What is known of a point before it runs.
+struct PointInputs {
+  std::vector<std::string> files;   ///< that it reads: case, bit, tables
+  std::vector<std::string> doubts;  ///< about numbers without a unit, each with its place
+};
+
+/// Reads the inputs of a point. Throws InputError if its case is wrong.
+PointInputs inputs_of(const Design& d, const std::vector<std::string>& overrides);
 
 /// Returns the names of all numbers in the summary of a point, which a design may list as figures.
 /// Throws whatever the command throws.

@@ -183,6 +183,9 @@ const std::vector<WrongTable>& wrong_tables() {
       {"diameter and radius exchanged", [](Rows& r) { exchange(r, dia, r_tip); },
        "TABLE:2: dia_mm, r_tip_mm: found values that fit the profile when swapped, expected the "
        "diameter of the cutter in dia_mm, the radius of its tip in r_tip_mm\n"},
+      {"the signs of all side rakes", [](Rows& r) { scale(r, side_rake, -1.0); },
+       "warning: TABLE:2: side_rake_deg: found side rakes of -4.74 to 0 deg, expected usually 0 to "
+       "10 deg, which send cuttings outwards; is the sign of the column wrong?\n"},
       {"the rakes exchanged", [](Rows& r) { exchange(r, back_rake, side_rake); },
        "TABLE:2: back_rake_deg, side_rake_deg: found side rakes of about 16.4 deg and back rakes "
        "of "

@@ -210,6 +210,14 @@ TEST(FieldStl, text_is_recognised_with_marks_blanks_case_and_line_ends) {
   EXPECT_NE(read("a.stl", with_unit).message.find("states the unit mm"), std::string::npos);
 }
 
+TEST(FieldStl, names_in_latin1_are_read) {
+  std::string latin = text_stl();
+  latin.replace(latin.find('\n'), 0, " k\xF6rper");
+  const Read found = read("a.stl", latin);
+  expect_solid(found, 1000.0, "latin");
+  EXPECT_TRUE(found.solids[0].name.ends_with("k\xC3\xB6rper")) << found.solids[0].name;
+}
+
 TEST(FieldStl, bytes_after_the_last_facet_are_a_warning) {
   for (const std::string title : {"", "solid cad"})
     for (const std::size_t more : {1u, 2u, 50u, 80u, 4096u}) {

@@ -113,9 +113,10 @@ def check_reach(case, out):
 
 def check_rocks(case, out):
     """A law that ignores strength has one curve, with a warning; one that does not needs more weight in the stronger rock."""
-    expect(0, ["curve", case, *COARSE, "--weights", "10kN", "--strengths", "60,100MPa", "-o", out],
-           "warning: the force law of the cutters ignores the strength of the rock: the curves of the rocks hardly differ")
-    again = expect(0, ["curve", case, *COARSE, "--weights", "10kN", "--strengths", "60,100MPa", "-o", out, "--quiet"],
+    words = ["curve", case, *COARSE, "--weights", "10kN", "--strengths", "60,100MPa", "--set", "rock.pressure=3000", "-o", out]
+    first = expect(0, words, "warning: the force law of the cutters ignores the strength of the rock: the curves of the rocks hardly differ")
+    assert first.stderr.count("rock.pressure: 3000 without a unit is 3000 Pa; did you mean \"3000 psi\"") == 1, first.stderr
+    again = expect(0, [*words, "--quiet"],
                    "warning: the force law of the cutters ignores the strength of the rock")
     assert again.stdout == "", again
     rates = [float(r["rop_mean_m_per_h"]) for r in rows_of(out)]
