@@ -103,6 +103,22 @@ int group_of(const std::vector<int>& group_of_facet, const std::vector<int>& pie
   return is_one ? group : -1;
 }
 
+/// Whether the box of any piece contains that of another. Most files have no such pieces. A closed
+/// piece has at least four facets.
+bool any_may_nest(const TriangleMesh& m, const std::vector<std::vector<int>>& pieces) {
+  std::vector<Box> boxes;
+  for (const std::vector<int>& piece : pieces) {
+    if (pieces.size() == 1 || piece.size() < 4) continue;
+    boxes.emplace_back();
+    for (const int t : piece)
+      for (const Vec3& x : corners(m, at(t))) boxes.back().add(x);
+  }
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (std::size_t j = 0; j < boxes.size(); ++j)
+      if (i != j && boxes[j].contains(boxes[i].lo) && boxes[j].contains(boxes[i].hi)) return true;
+  return false;
+}
+
 }  // namespace
 
 std::vector<std::vector<int>> facets_of_bodies(const TriangleMesh& m) {
@@ -111,17 +127,20 @@ std::vector<std::vector<int>> facets_of_bodies(const TriangleMesh& m) {
 
 std::vector<std::vector<int>> facets_of_bodies(const TriangleMesh& m,
                                                const std::vector<int>& group_of_facet) {
-  const std::vector<std::vector<int>> pieces = divided_facets(m);
-  const std::vector<NestedPiece> nested = nested_pieces(submeshes(m, pieces));
-  std::vector<std::vector<int>> facets(pieces.size());
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const int own = group_of(group_of_facet, pieces[i]);
-    const int outer = group_of(group_of_facet, pieces[at(nested[i].outermost)]);
-    const bool is_other = own >= 0 && outer >= 0 && own != outer;
-    std::vector<int>& body = facets[is_other ? i : at(nested[i].outermost)];
-    body.insert(body.end(), pieces[i].begin(), pieces[i].end());
+  std::vector<std::vector<int>> pieces = divided_facets(m), facets(pieces.size());
+  if (any_may_nest(m, pieces)) {
+    const std::vector<NestedPiece> nested = nested_pieces(submeshes(m, pieces));
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const int own = group_of(group_of_facet, pieces[i]);
+      const int outer = group_of(group_of_facet, pieces[at(nested[i].outermost)]);
+      const bool is_other = own >= 0 && outer >= 0 && own != outer;
+      std::vector<int>& body = facets[is_other ? i : at(nested[i].outermost)];
+      body.insert(body.end(), pieces[i].begin(), pieces[i].end());
+    }
+    std::erase_if(facets, [](const std::vector<int>& body) { return body.empty(); });
+  } else {
+    facets = std::move(pieces);
   }
-  std::erase_if(facets, [](const std::vector<int>& body) { return body.empty(); });
   for (std::vector<int>& body : facets) std::ranges::sort(body);
   return facets;
 }
