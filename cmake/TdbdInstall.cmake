@@ -37,8 +37,8 @@ target_include_directories(tdbd_flags INTERFACE "$<INSTALL_INTERFACE:${CMAKE_INS
 
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/tdbdConfig.cmake.in" "${PROJECT_BINARY_DIR}/tdbdConfig.cmake"
   INSTALL_DESTINATION "${TDBD_PACKAGE_FOLDER}" NO_SET_AND_CHECK_MACRO)
-# Before version 1 a minor version may change the headers.
-write_basic_package_version_file("${PROJECT_BINARY_DIR}/tdbdConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+# Within a major version the public headers only gain declarations (docs/reference/stability.md).
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/tdbdConfigVersion.cmake" COMPATIBILITY SameMajorVersion)
 install(EXPORT tdbd NAMESPACE tdbd:: FILE tdbdTargets.cmake DESTINATION "${TDBD_PACKAGE_FOLDER}")
 install(FILES "${PROJECT_BINARY_DIR}/tdbdConfig.cmake" "${PROJECT_BINARY_DIR}/tdbdConfigVersion.cmake"
         "${PROJECT_SOURCE_DIR}/cmake/TdbdLibraries.cmake" DESTINATION "${TDBD_PACKAGE_FOLDER}")
@@ -46,6 +46,9 @@ install(FILES "${PROJECT_BINARY_DIR}/tdbdConfig.cmake" "${PROJECT_BINARY_DIR}/td
 set_target_properties(tdbd PROPERTIES INSTALL_RPATH_USE_LINK_PATH ON)
 install(TARGETS tdbd RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+# The example cases with their bits and rocks, for the tutorials.
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION "${CMAKE_INSTALL_DATADIR}/tdbd"
+  PATTERN "*.py" EXCLUDE PATTERN "__pycache__" EXCLUDE)
 # The scripts of the commands draw, page, report and compare.
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/reports/" DESTINATION "${CMAKE_INSTALL_DATADIR}/tdbd/reports"
   FILES_MATCHING PATTERN "*.py" PATTERN "*.j2" PATTERN "*.js" PATTERN "*.css"

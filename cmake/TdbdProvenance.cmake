@@ -2,8 +2,12 @@
 
 find_package(Git QUIET)
 set(TDBD_COMMIT "unknown")
-if(Git_FOUND AND EXISTS "${PROJECT_SOURCE_DIR}/.git")
-  execute_process(COMMAND "${GIT_EXECUTABLE}" -C "${PROJECT_SOURCE_DIR}" describe --always --dirty --abbrev=12
+# `git archive` replaces the text between the dollars of commit.txt (.gitattributes).
+file(STRINGS "${PROJECT_SOURCE_DIR}/cmake/commit.txt" archived REGEX "^[0-9a-f]+$")
+if(archived)
+  string(SUBSTRING "${archived}" 0 12 TDBD_COMMIT)
+elseif(Git_FOUND AND EXISTS "${PROJECT_SOURCE_DIR}/.git")
+  execute_process(COMMAND "${GIT_EXECUTABLE}" -C "${PROJECT_SOURCE_DIR}" describe --always --dirty --abbrev=12 "--exclude=*"
                   OUTPUT_VARIABLE TDBD_COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/.git/HEAD")
 endif()

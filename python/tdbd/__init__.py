@@ -9,6 +9,14 @@
 Modules: `tdbd.bit` (bit files), `tdbd.mesh` (mesh files), `tdbd.sweep` (designs of many cases).
 """
 
+import os as _os
+from pathlib import Path as _Path
+
+# A wheel contains the database of UDUNITS-2, which is read where the system has none.
+_units = _Path(__file__).parent / "udunits/udunits2.xml"
+if _units.is_file():
+    _os.environ.setdefault("UDUNITS2_XML_PATH", str(_units))
+
 from tdbd import _core, bit, mesh, sweep
 from tdbd.calibrations import CalibrationResult, calibrate, laboratory
 from tdbd.cases import Case, case

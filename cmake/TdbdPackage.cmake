@@ -1,0 +1,60 @@
+# The Debian package: `cpack -G DEB` in a finished build, as scripts/package calls it. Run with -P it prepares the tree
+# that CPack installed, before CPack packs it.
+
+if(CPACK_TEMPORARY_DIRECTORY)
+  set(usr "${CPACK_TEMPORARY_DIRECTORY}/usr")
+  function(run)
+    execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+  endfunction()
+  # Debian's Python finds packages in lib/python3. The prefix may have any Python, so `cmake --install` names its version.
+  file(GLOB package "${usr}/lib/python3.*/dist-packages")
+  if(package)
+    file(MAKE_DIRECTORY "${usr}/lib/python3")
+    file(RENAME "${package}" "${usr}/lib/python3/dist-packages")
+    cmake_path(GET package PARENT_PATH versioned)
+    file(REMOVE_RECURSE "${versioned}")
+  endif()
+  # The Debian policy: licences in a file named copyright, compressed manual pages and changelog.
+  file(REMOVE "${usr}/share/doc/TDBD/LICENSE")
+  file(REMOVE_RECURSE "${usr}/share/doc/TDBD")
+  file(MAKE_DIRECTORY "${usr}/share/doc/tdbd")
+  file(COPY_FILE "${CPACK_TDBD_SOURCE}/packaging/copyright" "${usr}/share/doc/tdbd/copyright")
+  file(COPY_FILE "${CPACK_TDBD_SOURCE}/CHANGELOG.md" "${usr}/share/doc/tdbd/changelog")
+  run(gzip -9n "${usr}/share/doc/tdbd/changelog" "${usr}/share/man/man1/tdbd.1")
+  run(strip --strip-debug --enable-deterministic-archives ${CPACK_TDBD_LIBRARIES} WORKING_DIRECTORY "${usr}/lib")
+  # The same commit gives the same package: times of files are that of the commit, and do not depend on a umask.
+  run(chmod -R u=rwX,go=rX "${usr}")
+  if(DEFINED ENV{SOURCE_DATE_EPOCH})
+    run(find "${usr}" -exec touch -h -d "@$ENV{SOURCE_DATE_EPOCH}" "{}" +)
+  endif()
+  return()
+endif()
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME tdbd)
+set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
+set(CPACK_PACKAGE_CONTACT "The TDBD authors <tdbd@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "simulator of drill bits cutting rock")
+set(CPACK_PACKAGE_DESCRIPTION "TDBD (Three Dimensional Bit Dynamics) simulates drill bits cutting rock: the hole, the volume and
+force of every cutter, and the motion of the bit. The package contains the program tdbd, the example cases, the Python package, and
+the C++ library with its headers and CMake package.")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+# The libraries of the programs are found by dpkg-shlibdeps. Python and its modules draw results.
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy, python3-matplotlib, python3-jinja2, python3-netcdf4, python3-pil")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-xarray")
+# What a C++ program that calls find_package(tdbd) needs.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, pkg-config, libeigen3-dev, libgsl-dev, libfmt-dev, libtomlplusplus-dev, libudunits2-dev, libnetcdf-dev, libhdf5-dev, libtbb-dev, nlohmann-json3-dev, libcgal-dev")
+set(CPACK_INSTALL_CMAKE_PROJECTS "${PROJECT_BINARY_DIR};TDBD;Unspecified;/;${PROJECT_BINARY_DIR};TDBD;python;/")
+set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_FILE}")
+set(CPACK_TDBD_SOURCE "${PROJECT_SOURCE_DIR}")
+set(CPACK_TDBD_LIBRARIES "")
+foreach(module IN LISTS TDBD_MODULES ITEMS mesh_cgal)
+  list(APPEND CPACK_TDBD_LIBRARIES "libtdbd_${module}.a")
+endforeach()
+set(CPACK_VERBATIM_VARIABLES ON)
+include(CPack)
