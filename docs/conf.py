@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -15,7 +16,7 @@ sys.path.insert(0, os.environ.get("TDBD_PYTHON_PACKAGE", str(ROOT / "build/relea
 project = "TDBD"
 author = "the TDBD authors"
 copyright = "the TDBD authors, GPL-3.0-or-later"
-version = release = next(line.split(":")[1].strip() for line in (ROOT / "CITATION.cff").read_text().split("\n") if line.startswith("version"))
+version = release = re.search(r"(?m)^project\(TDBD VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
 
 extensions = ["myst_parser", "sphinx.ext.autodoc", "docs_equations"]
 myst_enable_extensions = ["dollarmath", "colon_fence", "deflist"]
