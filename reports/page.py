@@ -127,7 +127,7 @@ WORDS = {"holds": "hold", "holds with limits": "hold with limits", "refuted": "r
 
 
 def source_of(number, claims, names):
-    """(words, link) of where a number of the root README comes from: its claim on the page, or the page of its study."""
+    """(words, link) of where a number of the table of measurements comes from: its claim on the page, or the page of its study."""
     if isinstance(number, Measured):
         return "claim", f"#claim-{number.claim}" if number.claim in claims else None
     name = number.folder.rsplit("/", 1)[-1]
@@ -135,7 +135,7 @@ def source_of(number, claims, names):
 
 
 def headlines(root, claims, names):
-    """(what, value, sources) of the table of measurements in the root README, from reports/readme.json; none in a project without that
+    """(what, value, sources) of the table of measurements, from reports/readme.json; none in a project without that
     file. `readme.problems` compares the file with the current evidence. `claims`, `names`: the claims and studies with a place to link to."""
     try:
         kept = readme.read_kept(root)

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Writes the table of measurements in README.md, or compares it with the data.
+"""Writes the table of measurements in docs/evidence/accuracy.md, or compares it with the data.
 
     reports/readme.py --write [--build DIR]     from evidence and studies; also writes reports/readme.json
-    reports/readme.py --check                   README.md and the studies against reports/readme.json
+    reports/readme.py --check                   the page and the studies against reports/readme.json
 
-reports/readme.json stores the numbers, so that README.md can be checked before any test has run. `scripts/report --readme` calls
+reports/readme.json stores the numbers, so that the page can be checked before any test has run. `scripts/report --readme` calls
 the first command. Tests and `scripts/report --check` call the second; the latter also compares with the evidence.
 """
 
@@ -22,6 +22,7 @@ from readme_rows import ROWS, Measured
 HERE = Path(__file__).resolve().parent
 BEGIN, END = "<!-- measured: scripts/report --readme writes what follows -->", "<!-- end of measured -->"
 REMEDY = "run scripts/report --readme"
+PAGE = "docs/evidence/accuracy.md"
 
 
 def text_of(row, numbers):
@@ -47,32 +48,32 @@ def measure(root, found, rows=tuple(ROWS)):
 
 
 def place_of(lines):
-    """The first line of the block in README.md, and the line after it. Raises Stale."""
+    """The first line of the block in the page, and the line after it. Raises Stale."""
     if lines.count(BEGIN) != 1 or lines.count(END) != 1 or lines.index(END) < lines.index(BEGIN):
-        raise Stale(f"README.md: expected one line {BEGIN!r} and after it one {END!r}")
+        raise Stale(f"{PAGE}: expected one line {BEGIN!r} and after it one {END!r}")
     return lines.index(BEGIN), lines.index(END) + 1
 
 
 def write(root, numbers, rows=tuple(ROWS)):
-    readme = Path(root) / "README.md"
-    lines = readme.read_text(encoding="utf-8").split("\n")
+    page = Path(root) / PAGE
+    lines = page.read_text(encoding="utf-8").split("\n")
     first, end = place_of(lines)
     lines[first:end] = block(numbers, rows)
     (Path(root) / "reports/readme.json").write_text(json.dumps(numbers, indent=1) + "\n", encoding="utf-8")
-    readme.write_text("\n".join(lines), encoding="utf-8")
+    page.write_text("\n".join(lines), encoding="utf-8")
 
 
 def edited_lines(root, numbers, rows=tuple(ROWS)):
-    """Lines of README.md that do not match the numbers, as a list of problems."""
-    lines = (Path(root) / "README.md").read_text(encoding="utf-8").split("\n")
+    """Lines of the page that do not match the numbers, as a list of problems."""
+    lines = (Path(root) / PAGE).read_text(encoding="utf-8").split("\n")
     try:
         first, end = place_of(lines)
     except Stale as stale:
         return [str(stale)]
     found, expected = lines[first:end], block(numbers, rows)
     if len(found) != len(expected):
-        return [f"README.md, line {first + 1}: found {len(found)} lines of measurements, expected {len(expected)}; {REMEDY}"]
-    return [f"README.md, line {first + i + 1}: found {a!r}, expected {b!r}; {REMEDY}"
+        return [f"{PAGE}, line {first + 1}: found {len(found)} lines of measurements, expected {len(expected)}; {REMEDY}"]
+    return [f"{PAGE}, line {first + i + 1}: found {a!r}, expected {b!r}; {REMEDY}"
             for i, (a, b) in enumerate(zip(found, expected)) if a != b]
 
 
@@ -84,7 +85,7 @@ def stale_numbers(root, numbers, found, rows=tuple(ROWS)):
             now = {n.key(): numbers[n.key()] if isinstance(n, Measured) and found is None else
                    n.read(found if isinstance(n, Measured) else root) for n in row.numbers}
             if text_of(row, now) != text_of(row, numbers):
-                problems.append(f"README.md: measured now {text_of(row, now)!r}, reports/readme.json has {text_of(row, numbers)!r}; {REMEDY}")
+                problems.append(f"{PAGE}: measured now {text_of(row, now)!r}, reports/readme.json has {text_of(row, numbers)!r}; {REMEDY}")
         except KeyError as missing:
             problems.append(f"reports/readme.json has no number {missing}; {REMEDY}")
         except Stale as stale:
@@ -99,8 +100,8 @@ def orphans(numbers, rows=tuple(ROWS)):
 
 
 def has_block(root):
-    readme = Path(root) / "README.md"
-    return (Path(root) / "reports/readme.json").is_file() or readme.is_file() and BEGIN in readme.read_text(encoding="utf-8")
+    page = Path(root) / PAGE
+    return (Path(root) / "reports/readme.json").is_file() or page.is_file() and BEGIN in page.read_text(encoding="utf-8")
 
 
 def problems(root, found=None):

@@ -1,4 +1,4 @@
-"""The rows of the table of measurements in README.md: the numbers, and where each is read from."""
+"""The rows of the table of measurements in docs/evidence/accuracy.md: the numbers, and where each is read from."""
 
 import csv
 import json
@@ -24,7 +24,7 @@ class Measured:
         """Raises Stale if no test recorded it."""
         found = [e for e in evidence.get(self.claim, []) if self.part in e.what]
         if not found:
-            raise Stale(f"README.md: no evidence for {self.key()}; run ctest -L evidence")
+            raise Stale(f"docs/evidence/accuracy.md: no evidence for {self.key()}; run ctest -L evidence")
         return self.scale * max(e.measured for e in found)
 
 

@@ -65,15 +65,15 @@ class Quick(unittest.TestCase):
         self.assertIn("found no comparison 'nothing'", done.stderr)
 
 
-class Readme(unittest.TestCase):
+class Tutorial(unittest.TestCase):
     def test_example_of_five_rows_works_as_it_stands(self):
-        """With a bit of this repository instead of the reader's."""
-        text = (ROOT / "validation/README.md").read_text(encoding="utf-8")
-        block = lambda kind: re.search(f"```{kind}\n(.*?)```", text, re.DOTALL).group(1)
-        self.assertEqual(len(block("csv").splitlines()), 6)
+        """In a folder of its own, with the bit beside it."""
+        text = (ROOT / "docs/tutorials/calibrate.md").read_text(encoding="utf-8")
+        block = lambda kind: re.search(f"```{kind}\n(.*?)```", text, re.DOTALL).group(1).replace("validation/bits/nov4.toml", "my-bit.toml")
+        self.assertEqual(len(block("text").splitlines()), 6)
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
-            (folder / "my-tests.csv").write_text(block("csv"), encoding="utf-8")
+            (folder / "my-tests.csv").write_text(block("text"), encoding="utf-8")
             (folder / "my-fit.toml").write_text(block("toml"), encoding="utf-8")
             (folder / "my-bit.toml").write_bytes((ROOT / "validation/bits/nov4.toml").read_bytes())
             subprocess.run([TDBD, "calibrate", folder / "my-fit.toml", "-o", folder / "mine", "--quiet"], check=True,

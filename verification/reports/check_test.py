@@ -9,7 +9,8 @@ import unittest
 from small_project import EVIDENCE, MANIFEST, Project
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts/report"
-README = """# Small
+PAGE = "docs/evidence/accuracy.md"
+TABLE = """# Small
 <!-- measured: scripts/report --readme writes what follows -->
 <!-- end of measured -->
 """
@@ -23,7 +24,7 @@ class Check(unittest.TestCase):
         cls.addClassCleanup(cls.made.cleanup)
         project = Project(cls.made.name)
         project.write("scripts/report", SCRIPT.read_text(encoding="utf-8"))
-        project.write("README.md", README)
+        project.write(PAGE, TABLE)
         rows = project.root / "reports/readme_rows.py"
         rows.write_text(rows.read_text(encoding="utf-8") + ROWS, encoding="utf-8")
         subprocess.run(["/usr/bin/python3", "-B", project.root / "reports/readme.py", "--write"], check=True)
@@ -74,10 +75,10 @@ class Check(unittest.TestCase):
         self.project.write("reports/manifest.toml", MANIFEST.replace('"5.2"', '"5.2, 5.9"'))
         self.assert_named("reports/thesis_index.toml", "figure 5.9", "first")
 
-    def test_names_a_line_of_the_readme_that_was_edited(self):
-        file = self.project.root / "README.md"
+    def test_names_a_line_of_the_table_that_was_edited(self):
+        file = self.project.root / PAGE
         file.write_text(file.read_text(encoding="utf-8").replace("2.00", "2.01"), encoding="utf-8")
-        self.assert_named("README.md, line 5", "2.01")
+        self.assert_named(f"{PAGE}, line 5", "2.01")
 
     def test_names_a_number_in_prose_that_comes_from_nowhere(self):
         self.project.write("benchmarks/README.md", "# A snail\n\nIt does 3.5 mm/s.\n")

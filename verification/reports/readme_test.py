@@ -1,4 +1,4 @@
-"""readme_test.py ROOT: README.md contains the measurements of tests and studies; a line that was edited is reported."""
+"""readme_test.py ROOT: docs/evidence/accuracy.md contains the measurements of tests and studies; a line that was edited is reported."""
 
 import pathlib
 import sys
@@ -31,7 +31,7 @@ def evidence_of(measured):
 
 
 class Made(unittest.TestCase):
-    """A README with two rows: of a test, and of a study."""
+    """A page with two rows: of a test, and of a study."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -42,8 +42,9 @@ class Made(unittest.TestCase):
         self.study.write_text("7", encoding="utf-8")
         self.rows = (Row("speed", "{:.1f} mm/s", (Measured("ours/speed", "snail", 1e3),), "test `A.b`"),
                      Row("legs", "{:.0f}", (Kept("study", "legs", lambda file: int(file.read_text(encoding="utf-8"))),), "study"))
-        self.readme = self.root / "README.md"
-        self.readme.write_text(f"# Title\n{readme.BEGIN}\n{readme.END}\nEnd.\n", encoding="utf-8")
+        self.page = self.root / readme.PAGE
+        self.page.parent.mkdir(parents=True)
+        self.page.write_text(f"# Title\n{readme.BEGIN}\n{readme.END}\nEnd.\n", encoding="utf-8")
 
     def write(self, measured=1.25e-3):
         numbers = readme.measure(self.root, evidence_of(measured), self.rows)
@@ -52,14 +53,14 @@ class Made(unittest.TestCase):
 
     def test_has_the_largest_of_what_was_measured(self):
         self.write()
-        self.assertEqual(self.readme.read_text(encoding="utf-8").split("\n")[4:6], ["| speed | 1.2 mm/s | test `A.b` |", "| legs | 7 | study |"])
-        self.assertTrue(self.readme.read_text(encoding="utf-8").endswith("\nEnd.\n"))
+        self.assertEqual(self.page.read_text(encoding="utf-8").split("\n")[4:6], ["| speed | 1.2 mm/s | test `A.b` |", "| legs | 7 | study |"])
+        self.assertTrue(self.page.read_text(encoding="utf-8").endswith("\nEnd.\n"))
 
     def test_an_edited_line_is_named(self):
         numbers = self.write()
-        self.readme.write_text(self.readme.read_text(encoding="utf-8").replace("1.2 mm/s", "1.0 mm/s"), encoding="utf-8")
+        self.page.write_text(self.page.read_text(encoding="utf-8").replace("1.2 mm/s", "1.0 mm/s"), encoding="utf-8")
         [problem] = readme.edited_lines(self.root, numbers, self.rows)
-        self.assertIn("README.md, line 5: found '| speed | 1.0 mm/s", problem)
+        self.assertIn(f"{readme.PAGE}, line 5: found '| speed | 1.0 mm/s", problem)
         self.assertIn("scripts/report --readme", problem)
 
     def test_what_is_measured_otherwise_now_is_stale(self):
