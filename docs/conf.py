@@ -8,6 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import furo
 from sphinx.util import logging
 
 ROOT = Path(os.environ["TDBD_ROOT"])
@@ -40,7 +41,17 @@ html_copy_source = False
 html_show_sphinx = False
 # Browsers do not let a page that was opened from disk read other files.
 html_show_search_summary = False
-html_theme_options = {"navigation_with_keys": True}
+
+
+def dark_colours():
+    """The colours of the dark theme. The style sheet of Debian's Furo applies them only after a click on the button of the theme, not
+    if the browser prefers a dark page; as options of the theme they apply in both cases."""
+    style = Path(furo.__file__).parent / "theme/furo/static/styles/furo.css"
+    block = re.search(r'body\[data-theme="dark"\]\s*\{([^}]*)\}', style.read_text(encoding="utf-8"))
+    return {name: value.strip() for name, value in re.findall(r"--([\w-]+):([^;]*)", block.group(1))} if block else {}
+
+
+html_theme_options = {"navigation_with_keys": True, "dark_css_variables": dark_colours()}
 
 
 class Equations:
