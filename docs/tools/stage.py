@@ -122,7 +122,9 @@ def stage_settings():
     text = output(program, "keys", "--markdown") + output(program, "keys", "--design", "--markdown")
     sections = {}
     for heading, command, meaning, body in re.findall(r"(?ms)^## (`[^`]*`) of `tdbd (\w+)`: ([^\n]*)\n(.*?)(?=^#|\Z)", text):
-        sections.setdefault(command, []).append(f"## {heading}\n\n{meaning[0].upper() + meaning[1:]}\n{body.rstrip()}\n")
+        law = re.search(r'of the law "([\w-]+)"', meaning)  # each law has a table of the same name
+        shown = f"{heading} of the law {law.group(1)}" if law else heading
+        sections.setdefault(command, []).append(f"## {shown}\n\n{meaning[0].upper() + meaning[1:]}\n{body.rstrip()}\n")
     introduction = ("A quantity is a number in the SI unit that is shown, or a text with any unit of the same dimension "
                     '(`"8.5 in"`). The command `tdbd keys` prints the same tables.\n\n')
     for command, own in sections.items():
