@@ -3,6 +3,7 @@
 
 import contextlib
 import io
+import re
 import sys
 import tempfile
 from pathlib import Path
@@ -12,6 +13,7 @@ sys.path.insert(0, str(ROOT / "docs/tools"))
 import links
 import run_page
 import spelling
+import stage
 
 
 def run(text, folder, write=False):
@@ -108,6 +110,31 @@ def check_prose():
     assert spelling.prose(text).count("\n") == text.count("\n")
 
 
+def linked_pages(page):
+    """Pages of docs/ that a page links to, in its text or in a table of contents."""
+    text = page.read_text(encoding="utf-8")
+    names = re.findall(r"\]\(([^)#:\s]+)\.md(?:#[^)]*)?\)", text)
+    for entries in re.findall(r"(?s)```\{toctree\}\n(.*?)```", text):
+        names += re.findall(r"(?m)^(?:.*<)?([\w./-]+)>?$", entries)
+    return {found for name in names if (found := (page.parent / f"{name}.md").resolve()).is_file()}
+
+
+def check_clicks():
+    """From the start page a tutorial or a how-to page takes one click, every other page at most two."""
+    docs = ROOT / "docs"
+    one = linked_pages(docs / "index.md")
+    two = one.union(*(linked_pages(page) for page in one))
+    for page in sorted(docs.rglob("*.md")):
+        reached = one if page.parent.name in ("tutorials", "howto", "start") else two
+        assert page in reached or page.name in ("README.md", "index.md"), f"no link from docs/index.md leads to {page.relative_to(ROOT)}"
+
+
+def check_links_to_site():
+    for link, expected in {"docs/howto/units.md": "../howto/units.md", "docs/index.md#x": "../index.md#x", "LICENSE": "LICENSE", "src/README.md": "src/README.md"}.items():
+        assert stage.with_links_to_site("README.md", f"[a]({link})") == f"[a]({expected})", link
+    assert stage.with_links_to_site("src/rock/README.md", "[a](../../docs/glossary.md)") == "[a](../../../glossary.md)"
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name).resolve()
@@ -115,6 +142,8 @@ def main():
         check_stamp(folder)
         check_links(folder)
     check_prose()
+    check_clicks()
+    check_links_to_site()
     print("the runner of pages, the links and the spelling are checked")
 
 
