@@ -9,7 +9,6 @@
 #include "reference/literature/surface/range_search.hpp"
 #include "reference/rock/facet_walk.hpp"
 #include "rock/cut/group_cut.hpp"
-#include "rock/cut/hull_filter.hpp"
 #include "rock/cut/swept_part.hpp"
 #include "rock/maintain/maintain.hpp"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "dynamics/momenta.hpp"
-#include "dynamics/rotation/kick.hpp"
+#include "dynamics/rotation/step.hpp"
 #include "rotation/screw.hpp"
 
 namespace tdbd::bench {

@@ -4,7 +4,6 @@
 
 #include "python/src/arrays.hpp"
 #include "python/src/live.hpp"
-#include "simulation/rotate/rotate_record.hpp"
 #include "simulation/rotate/rotate_simulation.hpp"
 
 namespace tdbd::python {

@@ -1,7 +1,6 @@
 #include <pybind11/stl.h>
 
 #include "python/src/options.hpp"
-#include "simulation/result/extend.hpp"
 #include "simulation/result/run.hpp"
 #include "simulation/rotate/rotate_run.hpp"
 

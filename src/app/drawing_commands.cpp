@@ -17,7 +17,7 @@
 #include "app/arguments.hpp"
 #include "app/terminal.hpp"
 #include "core/error.hpp"
-#include "core/program_file.hpp"
+#include "core/provenance.hpp"
 #include "simulation/case/case_kind.hpp"
 
 namespace tdbd::app {

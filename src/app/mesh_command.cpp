@@ -11,13 +11,12 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "mesh/check/weld.hpp"
+#include "mesh/check/nesting.hpp"
 #include "mesh/files/facet_file.hpp"
 #include "mesh/files/files.hpp"
 #include "mesh/files/solids.hpp"
 #include "mesh/grade/grade.hpp"
 #include "mesh/repair/repair.hpp"
-#include "mesh/repair/sheet.hpp"
 #include "simulation/start/rock_start.hpp"
 
 namespace tdbd::app {

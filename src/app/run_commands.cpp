@@ -10,9 +10,8 @@
 #include "core/error.hpp"
 #include "simulation/case/case_kind.hpp"
 #include "simulation/chain/chain_run.hpp"
-#include "simulation/result/answer.hpp"
-#include "simulation/result/extend.hpp"
 #include "simulation/result/run.hpp"
+#include "simulation/result/summary.hpp"
 #include "simulation/rotate/rotate_run.hpp"
 
 namespace tdbd::app {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
+#include "core/types.hpp"
+
 namespace tdbd::bit {
 namespace {
 
@@ -132,6 +135,80 @@ MassProperties mass_properties(const Bit& bit) {
     if (part.density > 0.0)
       sum = combined(sum, transformed(mass_properties(part.mesh_P, part.density), part.X_BP));
   return sum;
+}
+
+namespace {
+
+Vec3 ring_point(const Ring& ring, int k) {
+  if (ring.count == 1) return {ring.x, 0.0, 0.0};
+  const double angle = full_turn * k / ring.count;
+  return {ring.x, ring.radius * std::sin(angle), -ring.radius * std::cos(angle)};
+}
+
+/// Triangles between a ring of na points that starts at index a and the next ring, nb points from
+/// b.
+void stitch(int a, int na, int b, int nb, std::vector<mesh::Triangle>& triangles) {
+  const int steps_a = na == 1 ? 0 : na, steps_b = nb == 1 ? 0 : nb;
+  for (int i = 0, j = 0; i < steps_a || j < steps_b;) {
+    const bool advance_b = i == steps_a || (j < steps_b && (j + 1) * na <= (i + 1) * nb);
+    const int at_a = a + i % na, at_b = b + j % nb;
+    if (advance_b)
+      triangles.push_back({at_a, at_b, b + ++j % nb});
+    else
+      triangles.push_back({at_a, at_b, a + ++i % na});
+  }
+}
+
+}  // namespace
+
+mesh::TriangleMesh surface_of_revolution(const std::vector<Ring>& rings) {
+  mesh::TriangleMesh m;
+  int previous_start = 0, previous_count = 0;
+  for (const Ring& ring : rings) {
+    const int start = static_cast<int>(m.positions.size());
+    for (int k = 0; k < ring.count; ++k) m.positions.push_back(ring_point(ring, k));
+    if (previous_count > 0) stitch(previous_start, previous_count, start, ring.count, m.triangles);
+    previous_start = start;
+    previous_count = ring.count;
+  }
+  return m;
+}
+
+namespace {
+
+/// U~ of eq. 4.1: the cutter's -Z, rotated to azimuth 0 and projected on the X-Z plane.
+Vec3 preliminary_direction(const Pose& X_BC) {
+  const double r = std::hypot(X_BC.p.x(), X_BC.p.y());
+  const double cos_azimuth = r > 0.0 ? X_BC.p.x() / r : 1.0;
+  const double sin_azimuth = r > 0.0 ? X_BC.p.y() / r : 0.0;
+  const Vec3 minus_z_B = -X_BC.R.col(2);
+  return {cos_azimuth * minus_z_B.x() + sin_azimuth * minus_z_B.y(), 0.0, minus_z_B.z()};
+}
+
+Vec3 inside_direction(InsideRule rule) {
+  switch (rule) {
+    case InsideRule::plus_x:
+      return Vec3::UnitX();
+    case InsideRule::minus_x:
+      return -Vec3::UnitX();
+    case InsideRule::down:
+      break;
+  }
+  return Vec3::UnitZ();
+}
+
+}  // namespace
+
+Vec3 update_direction(const Pose& X_BC, DirectionRule rule, InsideRule inside) {
+  return update_direction(preliminary_direction(X_BC), rule, inside);
+}
+
+Vec3 update_direction(const Vec3& u, DirectionRule rule, InsideRule inside) {
+  if (rule == DirectionRule::all_down) return Vec3::UnitZ();
+  if (rule == DirectionRule::hybrid && u.x() <= 0.0) return inside_direction(inside);
+  if (u.norm() == 0.0)
+    throw InputError("cutter: found a -Z axis that points sideways, expected one along (r, z)");
+  return u.normalized();
 }
 
 }  // namespace tdbd::bit

@@ -290,4 +290,39 @@ inline std::string mm_text(double x) { return fmt::format("{:.6g} mm", 1e3 * x);
 /// Formats an angle in rad for messages: "20 deg".
 inline std::string degree_text(double x) { return fmt::format("{:.6g} deg", x / degree); }
 
+/// The direction e of eq. 4.2 for inside cutters. Straight down is the default (reconstructed). +X
+/// and -X are the two readings of the thesis's formula: our copy of the text omits minus signs
+/// elsewhere.
+enum class InsideRule { down, plus_x, minus_x };
+
+/// How update directions are chosen. `hybrid` is eq. 4.2; the others are the two extremes with
+/// which figs. 4.7 to 4.9 of the thesis compare it.
+enum class DirectionRule { hybrid, all_down, along_profile };
+
+/// Returns the direction in which a cutter moves rock vertices, at azimuth 0: a unit vector in the
+/// bit's X-Z plane; bit (8). With R the rotation about z that moves the cutter's origin to the
+/// plane's +X side:
+///   U~ = proj_XZ(-R Z)                                  (4.1)
+///   U = U~/|U~| if U~.x > 0 (outside cutters), otherwise e  (4.2)
+/// A cutter on the axis is treated as at azimuth 0. Throws InputError if the rule is along_profile
+/// and -Z of the cutter points sideways (U~ = 0). Thesis: 4.1.2.1.
+Vec3 update_direction(const Pose& X_BC, DirectionRule rule, InsideRule inside);
+
+/// Applies eq. 4.2 to a given U~, which lies in the X-Z plane and may have any length.
+Vec3 update_direction(const Vec3& u, DirectionRule rule, InsideRule inside);
+
+/// A ring of points about the X axis. Point k of n is at the angle a = 2 pi k / n from -Z towards
+/// +Y: (x, radius sin a, -radius cos a). A ring with one point lies on the axis.
+struct Ring {
+  double radius = 0.0;  ///< m
+  double x = 0.0;       ///< m
+  int count = 1;
+};
+
+/// Makes a closed mesh that connects each ring to the next. The rings follow the meridian from the
+/// solid's +X end, on the axis, to its other end, on the axis, so that the normals point outwards.
+/// Rings with different counts are connected by always advancing the smaller angle. The polygons
+/// are inscribed, and every ring has a point at exactly -Z. Thesis: 3.3.
+mesh::TriangleMesh surface_of_revolution(const std::vector<Ring>& rings);
+
 }  // namespace tdbd::bit

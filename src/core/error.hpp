@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -38,6 +40,19 @@ inline bool is_resource_error(const std::error_code& error) {
         std::errc::file_too_large, std::errc::io_error, std::errc::read_only_file_system})
     if (error == of) return true;
   return false;
+}
+
+/// Whether the process can allocate `bytes` more memory.
+inline bool has_memory(std::size_t bytes) noexcept {
+  void* volatile block = std::malloc(bytes);  // volatile, or the compiler removes it
+  std::free(block);
+  return block != nullptr;
+}
+
+/// Throws std::bad_alloc if the process cannot allocate `bytes`. Call it before library functions
+/// that crash when memory runs out.
+inline void require_allocatable(std::size_t bytes) {
+  if (!has_memory(bytes)) throw std::bad_alloc();
 }
 
 }  // namespace tdbd

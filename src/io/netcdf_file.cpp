@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/memory_left.hpp"
 #include "io/whole_file.hpp"
 
 namespace tdbd {

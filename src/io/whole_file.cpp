@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/hash.hpp"
+#include "core/provenance.hpp"
 #include "core/read_file.hpp"
 
 namespace tdbd {

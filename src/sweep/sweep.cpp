@@ -13,7 +13,6 @@
 #include <thread>
 
 #include "core/error.hpp"
-#include "core/hash.hpp"
 #include "core/parallel.hpp"
 #include "core/provenance.hpp"
 #include "core/read_file.hpp"

@@ -7,7 +7,6 @@
 
 #include "bit/bit.hpp"
 #include "bit/generate.hpp"
-#include "bit/surface_of_revolution.hpp"
 #include "core/observed_order.hpp"
 #include "mesh/measures.hpp"
 #include "reference/bit/monte_carlo_mass.hpp"

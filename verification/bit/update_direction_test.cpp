@@ -1,4 +1,3 @@
-#include "bit/update_direction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +5,6 @@
 
 #include "bit/bit.hpp"
 #include "bit/generate.hpp"
-#include "bit/surface_of_revolution.hpp"
 #include "mesh/measures.hpp"
 
 namespace tdbd::bit::update_direction_test {

@@ -8,7 +8,6 @@
 #include "bit/cone/cone_parts.hpp"
 #include "bit/cutter/cutter.hpp"
 #include "bit/profile/bit_analysis.hpp"
-#include "bit/surface_of_revolution.hpp"
 #include "claims/example_bits.hpp"
 #include "core/observed_order.hpp"
 #include "core/random.hpp"

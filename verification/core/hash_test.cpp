@@ -1,6 +1,6 @@
-#include "core/hash.hpp"
-
 #include <gtest/gtest.h>
+
+#include "core/provenance.hpp"
 
 namespace tdbd::hash_test {
 

@@ -1,9 +1,9 @@
-#include "core/memory_left.hpp"
-
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "core/error.hpp"
 
 namespace tdbd::memory_left_test {
 

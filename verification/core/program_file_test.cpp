@@ -1,6 +1,6 @@
-#include "core/program_file.hpp"
-
 #include <gtest/gtest.h>
+
+#include "core/provenance.hpp"
 
 namespace tdbd::program_file_test {
 

@@ -4,7 +4,7 @@
 #include "fuzz/readers.hpp"
 #include "fuzz/scratch_folder.hpp"
 #include "simulation/case/motion.hpp"
-#include "simulation/rotate/rotate_body.hpp"
+#include "simulation/rotate/rotate_case.hpp"
 
 namespace tdbd::fuzz {
 

@@ -46,7 +46,7 @@ WALK_DATA = re.compile(PLAIN_DATA.pattern + r"|mesh/search/.+|rock/cut/swept_mes
 # The Python module stands where the command line does: above all modules, beside app.
 PYTHON_DATA = re.compile(rf"({'|'.join(sorted(CALIBRATION | {'sweep'}))})/.+|python/src/.+")
 CGAL_ALLOWED = re.compile(
-    r"src/mesh/((repair/repair_cgal|repair/unite|check/self_intersections)\.cpp|repair/quiet_cgal\.hpp)|benchmarks/corefinement\.cpp|reference/.+|verification/.+")
+    r"src/mesh/(repair/repair_cgal|check/self_intersections)\.cpp|benchmarks/corefinement\.cpp|reference/.+|verification/.+")
 BOOST_ALLOWED = "reference/literature/surface/planar_boolean.cpp"
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -73,7 +73,7 @@ def check_include(path, bracket, target):
     """Why this file may not include that one, or None."""
     parts = path.split("/")
     if target.startswith("CGAL/") and not CGAL_ALLOWED.fullmatch(path):
-        return ("CGAL belongs in src/mesh/repair/repair_cgal, repair/unite, check/self_intersections, reference/, verification/ "
+        return ("CGAL belongs in src/mesh/repair/repair_cgal, check/self_intersections, reference/, verification/ "
                 "and benchmarks/corefinement.cpp")
     if target.startswith("boost/") and path != BOOST_ALLOWED:
         return f"Boost belongs in {BOOST_ALLOWED}"
@@ -140,7 +140,7 @@ def check_all():
 def self_test():
     good = [("src/rock/cut.cpp", '#include "bit/bit.hpp"'),
             ("src/core/config/csv.cpp", "#include <vector>"),
-            ("src/mesh/repair/unite.cpp", "#include <CGAL/Surface_mesh.h>"),
+            ("src/mesh/repair/repair_cgal.cpp", "#include <CGAL/Surface_mesh.h>"),
             ("src/core/config/csv.cpp", '// #include "mesh/measures.hpp"'),
             ("reference/tools/show.cpp", '#include "mesh/files/files.hpp"'),
             ("reference/tools/show.cpp", '#include "simulation/rotate/rotate_case.hpp"'),

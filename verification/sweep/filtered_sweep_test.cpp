@@ -8,7 +8,6 @@
 #include "simulation/result/run.hpp"
 #include "sweep/point/run_point.hpp"
 #include "sweep/sweep.hpp"
-#include "sweep/table/filter.hpp"
 #include "sweep/table/journal.hpp"
 #include "verification/sweep/small_design.hpp"
 

@@ -9,7 +9,7 @@
 #include "bit/areas/area_rules.hpp"
 #include "bit/cone/cone_measures.hpp"
 #include "bit/cone/cone_parts.hpp"
-#include "core/config/toml_text.hpp"
+#include "core/config/config.hpp"
 #include "core/text.hpp"
 
 namespace tdbd::bit {

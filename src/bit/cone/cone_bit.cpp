@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "bit/bit.hpp"
 #include "bit/cone/cone_measures.hpp"
 #include "bit/cone/cone_parts.hpp"
-#include "bit/surface_of_revolution.hpp"
 #include "core/types.hpp"
 
 namespace tdbd::bit {

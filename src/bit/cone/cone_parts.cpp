@@ -8,7 +8,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "bit/surface_of_revolution.hpp"
+#include "bit/bit.hpp"
 #include "core/types.hpp"
 
 namespace tdbd::bit {

@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "bit/bit.hpp"
-#include "bit/surface_of_revolution.hpp"
 #include "core/types.hpp"
 #include "mesh/measures.hpp"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bit/surface_of_revolution.hpp"
+#include "bit/bit.hpp"
 #include "core/types.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/shape/convex.hpp"

@@ -1,5 +1,3 @@
-#include "bit/cutter/profile_doubts.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <limits>
 #include <tuple>
 
+#include "bit/cutter/table_doubts.hpp"
 #include "core/types.hpp"
 
 namespace tdbd::bit {

@@ -9,7 +9,6 @@
 #include <iterator>
 #include <map>
 
-#include "bit/cutter/profile_doubts.hpp"
 #include "core/types.hpp"
 
 namespace tdbd::bit {

@@ -13,7 +13,6 @@
 #include "bit/files/bit_parts.hpp"
 #include "bit/files/cone_file.hpp"
 #include "bit/files/design_settings.hpp"
-#include "bit/files/mesh_cutters.hpp"
 #include "bit/files/pdc_file.hpp"
 #include "bit/files/solids_file.hpp"
 #include "bit/pdc/pdc_bit.hpp"

@@ -6,7 +6,6 @@
 #include "bit/bit.hpp"
 #include "bit/files/bit_parts.hpp"
 #include "bit/files/pdc_file.hpp"
-#include "bit/update_direction.hpp"
 #include "core/config/key_table.hpp"
 
 namespace tdbd::bit {

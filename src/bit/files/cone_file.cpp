@@ -11,7 +11,7 @@
 #include "bit/cone/cone_parts.hpp"
 #include "bit/cone/legs.hpp"
 #include "bit/files/pdc_file.hpp"
-#include "core/config/toml_text.hpp"
+#include "core/config/config.hpp"
 #include "core/error.hpp"
 #include "core/types.hpp"
 

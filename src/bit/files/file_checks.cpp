@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "bit/files/mesh_cutters.hpp"
+#include "bit/files/bit_parts.hpp"
 #include "bit/files/pdc_file.hpp"
 #include "mesh/files/length_unit.hpp"
 #include "mesh/measures.hpp"

@@ -8,9 +8,9 @@
 
 #include "bit/cone/cone_bit.hpp"
 #include "bit/cone/cone_measures.hpp"
+#include "bit/files/bit_parts.hpp"
 #include "bit/files/file_checks.hpp"
-#include "bit/files/mesh_cutters.hpp"
-#include "core/config/toml_text.hpp"
+#include "core/config/config.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "mesh/files/solids.hpp"

@@ -6,7 +6,6 @@
 
 #include "bit/bit.hpp"
 #include "bit/files/bit_parts.hpp"
-#include "bit/update_direction.hpp"
 #include "core/config/config.hpp"
 
 namespace tdbd::bit {
@@ -24,7 +23,7 @@ namespace tdbd::bit {
 ///     group          default: the solids cutter-N/... are one group
 ///     cutter_position, cutter_rotation_vector   frame of the solid's cutter in the bit frame: sets
 ///                    the update direction (eq. 4.2), and makes the solids a cutter whose face
-///                    carries forces (mesh_cutters.hpp). The mesh is not moved
+///                    carries forces (bit_parts.hpp). The mesh is not moved
 ///     update_direction   as in [[parts]]; default: from the cutter's frame if that is given,
 ///                    otherwise from the exposure profile for the parts of a cutter
 ///   [[solids.cones]] journals of cones whose solids turn (read_solid_cones)

@@ -7,7 +7,6 @@
 #include "bit/bit.hpp"
 #include "bit/body/blade_shape.hpp"
 #include "bit/cutter/cutter.hpp"
-#include "bit/update_direction.hpp"
 
 namespace tdbd::bit {
 

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "bit/bit.hpp"
-#include "bit/update_direction.hpp"
 
 namespace tdbd::bit {
 

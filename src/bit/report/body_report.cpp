@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bit/areas/area_rules.hpp"
-#include "bit/body/rubbing.hpp"
+#include "bit/body/bit_body.hpp"
 #include "bit/profile/bit_analysis.hpp"
 #include "bit/report/bit_output.hpp"
 

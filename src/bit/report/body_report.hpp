@@ -25,7 +25,7 @@ nlohmann::ordered_json properties_json(const Bit& bit, std::span<const PartLaw> 
 std::string areas_report(const Bit& bit);
 
 /// "body" of analysis.json: exposure, slot depth and junk slot area of the blades, and their
-/// clearance from the rock at a penetration of `advance` (m) per revolution (bit/body/rubbing.hpp).
+/// clearance from the rock at a penetration of `advance` (m) per revolution (bit/body/bit_body.hpp).
 /// SI, units in the keys. Requires a bit with blades.
 nlohmann::ordered_json body_json(const Bit& bit, double advance);
 

@@ -9,7 +9,7 @@
 
 #include "calibration/case/case_checks.hpp"
 #include "core/error.hpp"
-#include "core/hash.hpp"
+#include "core/provenance.hpp"
 #include "core/text.hpp"
 
 namespace tdbd::calibration {

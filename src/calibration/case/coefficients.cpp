@@ -5,7 +5,7 @@
 #include "bit/areas/area_rules.hpp"
 #include "bit/files/bit_file.hpp"
 #include "calibration/case/calibration_case.hpp"
-#include "core/config/toml_text.hpp"
+#include "core/config/config.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "simulation/case/force_settings.hpp"

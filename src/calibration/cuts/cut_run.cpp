@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "bit/files/bit_file.hpp"
-#include "core/config/toml_text.hpp"
+#include "core/config/config.hpp"
 #include "core/error.hpp"
 #include "forces/laws/laws.hpp"
 #include "simulation/step/simulation.hpp"

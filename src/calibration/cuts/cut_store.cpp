@@ -5,9 +5,7 @@
 #include <mutex>
 
 #include "core/error.hpp"
-#include "core/hash.hpp"
 #include "core/parallel.hpp"
-#include "core/program_file.hpp"
 #include "core/provenance.hpp"
 #include "io/netcdf_file.hpp"
 #include "io/whole_file.hpp"

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "calibration/fit/identifiability.hpp"
-#include "calibration/fit/robust.hpp"
+#include "calibration/fit/quality.hpp"
 #include "core/error.hpp"
 
 namespace tdbd::calibration {

@@ -9,7 +9,7 @@
 #include <regex>
 #include <set>
 
-#include "calibration/fit/robust.hpp"
+#include "calibration/fit/quality.hpp"
 #include "calibration/result/answer.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"

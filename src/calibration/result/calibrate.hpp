@@ -9,7 +9,6 @@
 #include "calibration/case/calibration_case.hpp"
 #include "calibration/cuts/cut_store.hpp"
 #include "calibration/fit/fit.hpp"
-#include "calibration/fit/identifiability.hpp"
 #include "calibration/fit/quality.hpp"
 #include "calibration/predict/prediction.hpp"
 #include "io/output_folder.hpp"

@@ -1,8 +1,10 @@
 #include "core/config/config.hpp"
 
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "core/config/config_document.hpp"
 #include "core/error.hpp"
@@ -168,5 +170,24 @@ void Config::finish_before(const std::string& later) const {
 }
 
 void Config::stop_at_problems() const { throw_if_any(*document_, document_->problems); }
+
+std::string toml_string(std::string_view text) {
+  std::ostringstream out;
+  out << toml::toml_formatter{toml::array{text}, toml::format_flags::none};
+  const std::string array = out.str();  // [ "text" ]
+  const std::size_t first = array.find('"');
+  return array.substr(first, array.rfind('"') + 1 - first);
+}
+
+std::string toml_texts(const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + toml_string(text);
+  return "[" + list + "]";
+}
+
+std::string toml_vector(const Vec3& v) {
+  if (!v.allFinite()) return "";
+  return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
+}
 
 }  // namespace tdbd

@@ -7,8 +7,8 @@
 #include <optional>
 #include <sstream>
 
+#include "core/config/config.hpp"
 #include "core/config/number_doubts.hpp"
-#include "core/config/toml_text.hpp"
 #include "core/error.hpp"
 #include "core/read_file.hpp"
 #include "core/text.hpp"

@@ -7,8 +7,7 @@
 
 #include "core/config/config.hpp"
 #include "core/config/config_document.hpp"
-#include "core/config/toml_text.hpp"
-#include "core/hash.hpp"
+#include "core/provenance.hpp"
 
 namespace tdbd {
 namespace {

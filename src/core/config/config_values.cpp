@@ -11,7 +11,6 @@
 #include "core/config/config.hpp"
 #include "core/config/config_document.hpp"
 #include "core/config/number_doubts.hpp"
-#include "core/config/toml_text.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 

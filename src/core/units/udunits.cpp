@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/memory_left.hpp"
 #include "core/units/unit_database.hpp"
 
 namespace tdbd::units {

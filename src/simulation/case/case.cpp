@@ -11,7 +11,7 @@
 #include "bit/cone/cone_bit.hpp"
 #include "bit/files/bit_file.hpp"
 #include "core/error.hpp"
-#include "core/hash.hpp"
+#include "core/provenance.hpp"
 #include "simulation/case/contact_slopes.hpp"
 #include "simulation/case/doubtful_values.hpp"
 #include "simulation/case/read_chain.hpp"

@@ -8,7 +8,7 @@
 
 #include "bit/areas/area_rules.hpp"
 #include "bit/bit.hpp"
-#include "bit/wear/wear_law.hpp"
+#include "bit/wear/wear.hpp"
 #include "core/config/config.hpp"
 #include "forces/law.hpp"
 #include "forces/rock/rock_material.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "bit/bit.hpp"
 #include "bit/cone/cone_bit.hpp"
-#include "bit/update_direction.hpp"
 #include "core/config/config.hpp"
 #include "core/config/field.hpp"
 #include "rock/cut/cutting_bit.hpp"

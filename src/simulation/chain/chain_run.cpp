@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "core/hash.hpp"
+#include "core/provenance.hpp"
 #include "io/whole_file.hpp"
 #include "simulation/case/rotate_settings.hpp"
 #include "simulation/case/run_settings.hpp"

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "simulation/result/run.hpp"
-#include "simulation/rotate/rotate_record.hpp"
 #include "simulation/rotate/rotate_simulation.hpp"
 
 namespace tdbd::simulation {

@@ -19,7 +19,7 @@
 #include "mesh/check/check.hpp"
 #include "mesh/check/self_intersections.hpp"
 #include "mesh/files/files.hpp"
-#include "mesh/repair/sheet.hpp"
+#include "mesh/repair/repair.hpp"
 #include "rock/start/borehole.hpp"
 #include "rock/start/space_order.hpp"
 

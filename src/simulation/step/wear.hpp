@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "bit/wear/worn_piece.hpp"
+#include "bit/wear/wear.hpp"
 #include "core/error.hpp"
 
 namespace tdbd::simulation {

@@ -7,7 +7,6 @@
 
 #include "core/observed_order.hpp"
 #include "simulation/study/levels.hpp"
-#include "simulation/study/state_variables.hpp"
 
 namespace tdbd::simulation {
 

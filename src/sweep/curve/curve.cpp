@@ -12,7 +12,7 @@
 
 #include "core/error.hpp"
 #include "forces/rock/rock_material.hpp"
-#include "sweep/point/planar.hpp"
+#include "sweep/point/run_point.hpp"
 
 namespace tdbd::sweep {
 namespace {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "sweep/design/design.hpp"
-#include "sweep/table/filter.hpp"
 #include "sweep/table/journal.hpp"
 
 namespace tdbd::sweep {

@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "bit/bit.hpp"
 #include "bit/body/blade_body.hpp"
-#include "bit/body/rubbing.hpp"
 #include "bit/cutter/cutter.hpp"
 #include "bit/generate.hpp"
 #include "bit/generate_design.hpp"
-#include "bit/surface_of_revolution.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/search/triangle_tree.hpp"
 #include "mesh/shape/convex.hpp"

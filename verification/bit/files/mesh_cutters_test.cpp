@@ -1,5 +1,3 @@
-#include "bit/files/mesh_cutters.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -11,6 +9,7 @@
 #include "bit/cutter/cutter_table.hpp"
 #include "bit/files/bit_export.hpp"
 #include "bit/files/bit_file.hpp"
+#include "bit/files/bit_parts.hpp"
 #include "bit/files/bit_reading.hpp"
 #include "bit/files/file_checks.hpp"
 #include "bit/files/mesh_bit.hpp"

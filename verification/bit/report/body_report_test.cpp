@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "bit/body/rubbing.hpp"
+#include "bit/body/bit_body.hpp"
 #include "bit/cone/cone_measures.hpp"
 #include "bit/cone/tracking.hpp"
 #include "bit/files/bit_reading.hpp"

@@ -1,10 +1,9 @@
-#include "calibration/fit/identifiability.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "calibration/fit/quality.hpp"
 #include "calibration/made_up_laboratory.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"

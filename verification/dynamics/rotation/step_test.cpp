@@ -9,7 +9,6 @@
 
 #include "core/error.hpp"
 #include "dynamics/rotation/drift.hpp"
-#include "dynamics/rotation/kick.hpp"
 #include "verification/battery/dual.hpp"
 #include "verification/battery/golden.hpp"
 

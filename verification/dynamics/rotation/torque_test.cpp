@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/observed_order.hpp"
-#include "dynamics/rotation/kick.hpp"
+#include "dynamics/rotation/step.hpp"
 #include "rotation/quaternion.hpp"
 #include "verification/battery/dual.hpp"
 #include "verification/battery/evidence.hpp"

@@ -1,5 +1,3 @@
-#include "mesh/repair/sheet.hpp"
-
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -8,6 +6,7 @@
 
 #include "mesh/check/self_intersections.hpp"
 #include "mesh/measures.hpp"
+#include "mesh/repair/repair.hpp"
 #include "verification/battery/shapes.hpp"
 
 namespace tdbd::mesh::sheet_test {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "rock/cut/group_cut.hpp"
-#include "rock/cut/hull_filter.hpp"
 #include "rock/cut/swept_part.hpp"
 #include "rotation/screw.hpp"
 #include "verification/battery/generators.hpp"

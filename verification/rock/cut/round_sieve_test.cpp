@@ -6,7 +6,7 @@
 
 #include "core/tolerance.hpp"
 #include "rock/cut/cut_rock.hpp"
-#include "rock/cut/hull_filter.hpp"
+#include "rock/cut/group_cut.hpp"
 #include "rock/cut/sieves.hpp"
 #include "rotation/screw.hpp"
 #include "verification/battery/generators.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "bit/cutter/cutter.hpp"
-#include "bit/wear/worn_piece.hpp"
+#include "bit/wear/wear.hpp"
 #include "core/types.hpp"
 #include "mesh/search/triangle_tree.hpp"
 #include "reference/rock/plane_section.hpp"

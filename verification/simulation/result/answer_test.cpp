@@ -1,8 +1,8 @@
-#include "simulation/result/answer.hpp"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
+
+#include "simulation/result/summary.hpp"
 
 namespace tdbd::simulation::answer_test {
 

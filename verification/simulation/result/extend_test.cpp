@@ -1,4 +1,3 @@
-#include "simulation/result/extend.hpp"
 
 #include <gtest/gtest.h>
 

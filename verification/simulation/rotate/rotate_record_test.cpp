@@ -1,5 +1,3 @@
-#include "simulation/rotate/rotate_record.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include "io/archive.hpp"
 #include "rotation/quaternion.hpp"
 #include "simulation/rotate/rotate_case.hpp"
+#include "simulation/rotate/rotate_simulation.hpp"
 #include "verification/core/temporary_folder.hpp"
 #include "verification/simulation/mesh_bit.hpp"
 #include "verification/simulation/rotated_cases.hpp"

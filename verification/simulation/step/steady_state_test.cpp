@@ -1,11 +1,11 @@
-#include "simulation/step/steady_state.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
+
+#include "simulation/step/diagnosis.hpp"
 
 namespace tdbd::simulation::steady_state_test {
 

@@ -1,5 +1,3 @@
-#include "simulation/study/state_variables.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <fstream>
 
 #include "core/error.hpp"
+#include "simulation/study/levels.hpp"
 #include "verification/core/temporary_folder.hpp"
 
 namespace tdbd::simulation::state_variables_test {

@@ -1,5 +1,3 @@
-#include "sweep/point/planar.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "simulation/case/case.hpp"
+#include "sweep/point/run_point.hpp"
 
 namespace tdbd::sweep::planar_test {
 

@@ -1,11 +1,10 @@
-#include "sweep/table/filter.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "sweep/table/journal.hpp"
 #include "verification/battery/generators.hpp"
 
 namespace tdbd::sweep::filter_test {
