@@ -119,23 +119,25 @@ void find_response(const DrillingSystem& s, double h, const Drilling& d, Remaini
 
 namespace {
 
-/// Order: x, y, z of the centre of mass, rotations about them, z of the rock.
-using Matrix7 = Eigen::Matrix<double, 7, 7>;
-constexpr std::array<const char*, 7> motions = {
+/// Order: x, y, z of the centre of mass, rotations about them, z of the rock. Matrices of fixed
+/// size would be unrolled: a minute of compile time for a function that runs once per case.
+constexpr int motion_count = 7;
+using Eigen::MatrixXd;
+constexpr std::array<const char*, motion_count> motions = {
     "along x",         "along y",         "along z",         "tilting about x",
     "tilting about y", "turning about z", "the rock along z"};
 
-/// Jacobian of the displacement of a point of the bit with respect to the seven motions.
-Eigen::Matrix<double, 3, 7> point_motion(const Vec3& arm) {
-  Eigen::Matrix<double, 3, 7> J = Eigen::Matrix<double, 3, 7>::Zero();
+/// Jacobian of the displacement of a point of the bit with respect to the six motions of the bit.
+MatrixXd point_motion(const Vec3& arm) {
+  MatrixXd J = MatrixXd::Zero(3, 6);
   J.leftCols<3>().setIdentity();
-  J.block<3, 3>(0, 3) << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;
+  J.rightCols<3>() << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;
   return J;
 }
 
 /// Contribution of the contact between bit and rock.
-Matrix7 contact_matrix(double lateral, double axial, double twist) {
-  Matrix7 A = Matrix7::Zero();
+MatrixXd contact_matrix(double lateral, double axial, double twist) {
+  MatrixXd A = MatrixXd::Zero(motion_count, motion_count);
   A(0, 0) = A(1, 1) = lateral;
   A(2, 2) = A(6, 6) = axial;
   A(2, 6) = A(6, 2) = -axial;
@@ -143,41 +145,57 @@ Matrix7 contact_matrix(double lateral, double axial, double twist) {
   return A;
 }
 
-Matrix7 stiffness_matrix(const DrillingSystem& s, const ContactSlopes& c, const Mat3& R) {
-  Matrix7 K = contact_matrix(c.lateral_stiffness, c.axial_stiffness, c.twist_stiffness);
-  const auto held = point_motion(R * (s.string.attachment_B - s.centre_B));
-  K += held.transpose() * s.spring * held;
-  const auto ring = point_motion(R * (Vec3(0.0, 0.0, s.wall.ring_z_B) - s.centre_B));
-  K += mean_wall_stiffness(s.wall) * (ring.topRows<2>().transpose() * ring.topRows<2>());
+MatrixXd stiffness_matrix(const DrillingSystem& s, const ContactSlopes& c, const Mat3& R) {
+  MatrixXd K = contact_matrix(c.lateral_stiffness, c.axial_stiffness, c.twist_stiffness);
+  const MatrixXd held = point_motion(R * (s.string.attachment_B - s.centre_B));
+  const MatrixXd pull = s.spring * held;
+  K.topLeftCorner(6, 6) += held.transpose() * pull;
+  const MatrixXd ring = point_motion(R * (Vec3(0.0, 0.0, s.wall.ring_z_B) - s.centre_B)).topRows(2);
+  const MatrixXd push = mean_wall_stiffness(s.wall) * ring;
+  K.topLeftCorner(6, 6) += ring.transpose() * push;
   K.block<3, 3>(3, 3) += s.string.turn_stiffness;
   K(6, 6) += s.rock.stiffness;
   return K;
 }
 
-/// Fixed rock gets a mass of 1 here; fix_rock removes its motion from the stiffness.
-Matrix7 mass_matrix(const DrillingSystem& s, const Mat3& R) {
-  Matrix7 M = Matrix7::Identity();
-  M.topLeftCorner<3, 3>() *= s.mass;
-  M.block<3, 3>(3, 3) = R * s.gyrostat.carrier_B * R.transpose();
-  if (s.rock.mass > 0.0) M(6, 6) = s.rock.mass;
-  return M;
+/// The moving masses. Fixed rock gets a mass of 1 here; fix_rock removes its motion from the
+/// stiffness.
+struct Masses {
+  Eigen::VectorXd diagonal;  ///< kg and kg m2, of the motions
+  MatrixXd scale;            ///< W with W^T M W = 1
+};
+
+Masses masses_of(const DrillingSystem& s, const Mat3& R) {
+  const Mat3 inertia = R * s.gyrostat.carrier_B * R.transpose();
+  const double rock = s.rock.mass > 0.0 ? s.rock.mass : 1.0;
+  Masses m{Eigen::VectorXd::Constant(motion_count, s.mass),
+           MatrixXd::Zero(motion_count, motion_count)};
+  m.diagonal.segment<3>(3) = inertia.diagonal();
+  m.diagonal[6] = rock;
+  m.scale.diagonal().setConstant(1.0 / std::sqrt(s.mass));
+  m.scale.block<3, 3>(3, 3) = Mat3(Eigen::LLT<Mat3>(inertia).matrixU()).inverse();
+  m.scale(6, 6) = 1.0 / std::sqrt(rock);
+  return m;
 }
 
-void fix_rock(const DrillingSystem& s, Matrix7& A) {
+void fix_rock(const DrillingSystem& s, MatrixXd& A) {
   if (s.rock.mass > 0.0) return;
-  A.row(6).setZero();  // the solver does not read the column, which is above the diagonal
+  A.row(6).setZero();
+  A.col(6).setZero();
 }
 
-/// Largest eigenvalue of A with respect to M, and the motion with the largest share of its energy.
+/// Largest eigenvalue of A with respect to the masses, and the motion with the largest share of its
+/// energy.
 struct Largest {
   double value = 0.0;
   int motion = 0;
 };
-Largest largest_eigenvalue(const Matrix7& A, const Matrix7& M) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix7> solver(A, M);
-  const Eigen::Matrix<double, 7, 1> shape = solver.eigenvectors().col(6);
-  Largest found{std::max(solver.eigenvalues()[6], 0.0), 0};
-  (M.diagonal().array() * shape.array().square()).maxCoeff(&found.motion);
+Largest largest_eigenvalue(const MatrixXd& A, const Masses& m) {
+  const MatrixXd AW = A * m.scale;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(m.scale.transpose() * AW);
+  const Eigen::VectorXd shape = m.scale * solver.eigenvectors().col(motion_count - 1);
+  Largest found{std::max(solver.eigenvalues()[motion_count - 1], 0.0), 0};
+  (m.diagonal.array() * shape.array().square()).maxCoeff(&found.motion);
   return found;
 }
 
@@ -189,12 +207,13 @@ StabilityLimit stability_limit(const DrillingSystem& s, const ContactSlopes& c) 
   for (int i = 0; i < attitudes; ++i) {
     const double angle = std::numbers::pi * i / attitudes;
     const Mat3 R = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
-    Matrix7 K = stiffness_matrix(s, c, R);
-    Matrix7 D = contact_matrix(c.lateral_damping, c.axial_damping, c.twist_damping);
+    MatrixXd K = stiffness_matrix(s, c, R);
+    MatrixXd D = contact_matrix(c.lateral_damping, c.axial_damping, c.twist_damping);
     fix_rock(s, K);
     fix_rock(s, D);
-    const Matrix7 M = mass_matrix(s, R);
-    const Largest vibration = largest_eigenvalue(K, M), slowing = largest_eigenvalue(D, M);
+    const Masses masses = masses_of(s, R);
+    const Largest vibration = largest_eigenvalue(K, masses);
+    const Largest slowing = largest_eigenvalue(D, masses);
     if (std::sqrt(vibration.value) > limit.frequency) {
       limit.frequency = std::sqrt(vibration.value);
       limit.mode = motions[static_cast<std::size_t>(vibration.motion)];
