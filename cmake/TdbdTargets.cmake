@@ -10,9 +10,8 @@ target_compile_options(tdbd_flags INTERFACE
 set(CMAKE_CXX_FLAGS_RELEASE "-O3")
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g -D_GLIBCXX_ASSERTIONS -DTDBD_CHECK_EVERY_OPERATION")
 set(CMAKE_CXX_EXTENSIONS OFF)
-# What no step of a run visits, or only tests, is compiled quickly. The results have the same bits: contraction is off.
+# Tests and twins are compiled quickly. Results have the same bits at every level: contraction is off.
 # At -O1 g++ 12 warns of variables that it does not follow.
-set(TDBD_COMMANDS "$<$<CONFIG:Release>:-O2>")
 set(TDBD_ONLY_TESTED "$<$<CONFIG:Release>:-O1;-Wno-maybe-uninitialized>")
 
 find_program(TDBD_CCACHE ccache)

@@ -140,6 +140,8 @@ def main(arguments):
         print(f"compare: {error if isinstance(error, (OSError, ValueError)) else f'found a result without {error}'}", file=sys.stderr)
         return 2
     print_differences(sides)
+    if not chosen.bits[0].is_dir():
+        print("loads are planar estimates without rakes, chamfers, wear and bodies: compare two runs to see these")
     print(f"compare: look at {chosen.output}")
     return 0
 

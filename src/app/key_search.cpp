@@ -2,9 +2,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <set>
 #include <sstream>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/arguments.hpp"
@@ -22,10 +25,25 @@ std::string search_form(std::string text) {
   return text;
 }
 
+/// Abbreviations of the field, and the words of keys that they stand for.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> abbreviations{{
+    {"doc", "depth cut"},
+    {"mse", "specific energy"},
+    {"rop", "rate penetration"},
+    {"rpm", "rotary speed"},
+    {"tob", "torque"},
+    {"wob", "weight bit"},
+}};
+
 std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream in(search_form(text));
   std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
+  std::istringstream in(search_form(text));
+  for (std::string word; in >> word;) {
+    const auto known =
+        std::ranges::find(abbreviations, word, [](const auto& a) { return a.first; });
+    std::istringstream meant(known == abbreviations.end() ? word : std::string(known->second));
+    for (std::string each; meant >> each;) words.push_back(each);
+  }
   return words;
 }
 

@@ -35,9 +35,7 @@ struct MeshChoices {
   bool sheet = false, flip = false, fill_holes = false, z_up = false;
 
   bool is_sheet() const { return sheet || flip || fill_holes || z_up; }
-  bool writes() const {
-    return repair || grade || flip || fill_holes || z_up || (sheet && !output.empty());
-  }
+  bool writes() const { return repair || grade || flip || fill_holes || z_up || !output.empty(); }
 };
 
 /// The largest numbers of lines that are printed about solids, and about holes.
@@ -134,8 +132,10 @@ std::string sheet_advice(const MeshChoices& choices, const std::vector<Solid>& s
 }
 
 /// Prints the table. For solids that are unsuitable for a bit, prints the faults and advice before
-/// it and returns 2. The rock of a run is an open sheet and therefore not checked.
+/// it and returns 2. The rock of a run is an open sheet and therefore not checked. With an output
+/// file, converts the solids as they are.
 int inspect(const MeshChoices& choices, const std::vector<Solid>& solids) {
+  if (!choices.output.empty()) write(choices, solids);
   if (const auto stamp = simulation::read_stamp(choices.file)) {
     print_table(solids);
     print_out(
@@ -319,8 +319,10 @@ void add_sheet_options(CLI::App& command, MeshChoices& choices) {
 /// The options for the file to write.
 void add_output_options(CLI::App& command, MeshChoices& choices) {
   command
-      .add_option("-o,--output", choices.output,
-                  "the file to write, in the format of its extension; the input is not changed")
+      .add_option(
+          "-o,--output", choices.output,
+          "the file to write, in the format of its extension; without --repair, --grade or a "
+          "change of a sheet, the input is converted as it is")
       ->type_name(a_mesh_file);
   command.add_option("--output-unit", choices.output_unit,
                      "length unit of the output; default: that of the input, mm for STL, OBJ and "

@@ -158,14 +158,17 @@ std::string correlation_text(double rho) {
 }
 
 /// Prints how well a filter follows the results.
-void print_filter(const sweep::FilterReport& f) {
+void print_filter(const sweep::Design& d, const sweep::FilterReport& f) {
   if (f.unchanged_message.empty())
     print_out("unchanged case: {} {:.4g}, {} {:.4g}", f.figure, f.unchanged_figure, f.filter,
               f.unchanged_filter);
   else
     print_out("unchanged case: failed: {}", f.unchanged_message);
-  if (f.best_point >= 0)
-    print_out("; best point, number {}: {} {:.4g}", f.best_point, f.figure, f.best_figure);
+  if (f.best_point >= 0) {
+    const std::vector<std::string> all = sweep::overrides_at(d, sweep::points_of(d), f.best_point);
+    print_out("\nbest point, number {}: {} {:.4g}", f.best_point, f.figure, f.best_figure);
+    for (std::size_t i = d.fixed.size(); i < all.size(); ++i) print_out("; {}", all[i]);
+  }
   print_out(
       "\nrank correlation of {} and {}: {} for all {} points, {} for the {} that the filter "
       "finds best\n",
@@ -202,7 +205,7 @@ void print_result(const sweep::Design& d, const sweep::SweepResult& r, const fs:
         r.interrupted ? "; repeat the command to continue" : "; the last shard writes the table");
   print_out("{} points done, {} of them before{}\n", r.points, r.found,
             d.goals.empty() ? "" : fmt::format("; {} on the front", r.on_front));
-  if (r.filter) print_filter(*r.filter);
+  if (r.filter) print_filter(d, *r.filter);
   print_out("table in {}; to draw it: tdbd draw {}\n", table.string(), table.string());
 }
 

@@ -88,6 +88,14 @@ TEST(Means, that_begin_at_the_end_of_the_run_are_doubted) {
   EXPECT_EQ(told("38 ms"), "");
 }
 
+TEST(Rate, that_is_negative_is_doubted) {
+  const SmallCase c;
+  EXPECT_EQ(
+      c.check({"--set", "motion.rate_of_penetration=-15 m/h"}).err,
+      warning("--set: motion.rate_of_penetration: a negative rate moves the bit up, away from "
+              "the bottom of the hole"));
+}
+
 /// A plate 9 km away: no edge length helps, so the message does not propose one.
 TEST(RockFarAway, is_rejected_with_both_places) {
   const SmallCase c;

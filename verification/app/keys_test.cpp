@@ -60,6 +60,13 @@ TEST(KeysCommand, searches_the_keys_of_all_files) {
       << weight.out;
 }
 
+TEST(KeysCommand, searches_abbreviations_of_the_field) {
+  for (const auto& [word, key] : {std::pair("rop", "  rate_of_penetration  "),
+                                  {"WOB", "  weight_on_bit  "},
+                                  {"rpm", "  rotary_speed  "}})
+    EXPECT_TRUE(has(battery::run_tdbd({"keys", word}).out, key)) << word;
+}
+
 TEST(KeysCommand, prints_at_most_60_lines_of_a_search) {
   const battery::Outcome o = battery::run_tdbd({"keys", "of"});
   EXPECT_EQ(std::ranges::count(o.out, '\n'), 60) << o.out;

@@ -82,6 +82,20 @@ def check_repairs(folder):
         assert tdbd(*command, "--force").returncode == 0
 
 
+def check_conversions(folder):
+    """A file that is only read is written in another format or unit, as it is; an unsound one with its faults."""
+    cube = folder / "convert.stl"
+    cube.write_text(solid("a"))
+    done = tdbd("mesh", cube, "-o", folder / "inches.obj", "--output-unit", "in")
+    assert done.returncode == 0 and "in in\n" in done.stdout, done
+    back = tdbd("mesh", folder / "inches.obj", "-o", folder / "back.stl", "--output-unit", "mm", "--binary")
+    assert back.returncode == 0 and back.stdout.splitlines()[2].split()[7] == "64000.000", back
+    refused(tdbd("mesh", cube, "-o", folder / "back.stl"), "exists; --force replaces it")
+    cube.write_text(solid("a", SIDES[1:]))
+    refused(tdbd("mesh", cube, "-o", folder / "open.ply"), "hole: 3 times")
+    assert (folder / "open.ply").exists()
+
+
 def check_refused_repairs(folder):
     """Nothing is written for a mesh that encloses no solid, and the input is not overwritten."""
     bad = folder / "wall.stl"
@@ -376,7 +390,7 @@ def check_stated_units(folder):
 
 with tempfile.TemporaryDirectory() as name:
     test_folder = pathlib.Path(name)
-    for check in (check_inspection, check_repairs, check_refused_repairs, check_grading, check_growth, check_usual_grading, check_units,
-                  check_densities, check_round_trips, check_rock_of_a_run, check_many_solids, check_sheets, check_cracks, check_stated_units,
-                  check_field_files):
+    for check in (check_inspection, check_repairs, check_conversions, check_refused_repairs, check_grading, check_growth,
+                  check_usual_grading, check_units, check_densities, check_round_trips, check_rock_of_a_run, check_many_solids, check_sheets,
+                  check_cracks, check_stated_units, check_field_files):
         check(test_folder)

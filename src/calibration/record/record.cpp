@@ -1,6 +1,7 @@
 #include "calibration/record/record.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -88,8 +89,9 @@ Places read_header(const CsvRow& header, const std::vector<Column>& columns,
     const auto column = std::ranges::find(columns, name, &Column::name);
     if (column == columns.end()) {
       const auto near = nearest_name(name, known);
-      mistakes.add(header.line, name, "an unknown column",
-                   near ? fmt::format("{}?", *near) : "another name");
+      mistakes.add(
+          header.line, name, "an unknown column",
+          near ? fmt::format("{}?", *near) : fmt::format("one of {}", fmt::join(known, ", ")));
       continue;
     }
     check_unit(*column, unit, header.line, mistakes);

@@ -104,6 +104,24 @@ std::string errors_text(const CalibrationCase& c, const Calibration& found) {
   return text;
 }
 
+/// The predicted loads that were not measured, at most eight:
+/// "test later of other: wob 37392 N, 33769 to 41402 N".
+std::string unmeasured_text(const CalibrationCase& c, const Calibration& found) {
+  constexpr long most = 8;
+  const auto names = load_names(c.records.kind);
+  std::string text;
+  long lines = 0;
+  for (const Prediction& p : found.predictions)
+    for (std::size_t k = 0; k < p.loads.size(); ++k)
+      if (const PredictedLoad& load = p.loads[k]; !load.standardised && lines++ < most)
+        text += fmt::format("test {} of {}: {} {:.5g} {}, {:.5g} to {:.5g} {}\n", p.record.test,
+                            p.record.tool, names[k].name, load.mean, names[k].si_unit, load.low,
+                            load.high, names[k].si_unit);
+  if (lines > most)
+    text += fmt::format("and {} more predicted loads in predictions.csv\n", lines - most);
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> assumptions_of(const FittedSet& set) {
@@ -139,7 +157,7 @@ std::string misfit_warning(const FittedSet& set, const Records& records) {
 std::string answer_text(const CalibrationCase& c, const Calibration& found) {
   std::string text;
   for (const FittedSet& set : found.sets) text += set_text(c, set);
-  text += errors_text(c, found);
+  text += errors_text(c, found) + unmeasured_text(c, found);
   if (c.unknowns.empty()) return text;
   return text +
          fmt::format("assumptions: {}\n", fmt::join(assumptions_of(found.sets.front()), "\n  "));

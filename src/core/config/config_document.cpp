@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -221,6 +222,26 @@ bool has_empty_name(const std::string& key) {
 
 }  // namespace
 
+namespace {
+
+/// What a syntax error in this line probably is: a text without quotes, or with one of them.
+std::string syntax_hint(const std::string& text, long line) {
+  constexpr std::size_t longest = 200;
+  std::istringstream in(text);
+  std::string found;
+  for (long k = 0; k < line; ++k) std::getline(in, found);
+  const std::size_t equals = found.find('=');
+  if (equals == std::string::npos || found.size() > longest) return "";
+  const std::string key(trimmed(found.substr(0, equals))), value(trimmed(found.substr(equals + 1)));
+  const bool has_letter = std::ranges::any_of(
+      value, [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; });
+  if (std::ranges::count(value, '"') == 1) return "; a text has a quote at both ends";
+  if (!has_letter || value.find_first_of("\"'#[{") != std::string::npos) return "";
+  return fmt::format("; texts and values with a unit have quotes: {} = \"{}\"", key, value);
+}
+
+}  // namespace
+
 ConfigDocument parse_document(const std::string& text, const std::string& path) {
   demand_short_keys(text, path);
   ConfigDocument document;
@@ -231,8 +252,9 @@ ConfigDocument parse_document(const std::string& text, const std::string& path) 
     document.root = toml::parse(text, path);
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
-    throw InputError(fmt::format("{}:{}:{}: found a syntax error, expected TOML: {}", path, at.line,
-                                 at.column, error.description()));
+    throw InputError(fmt::format("{}:{}:{}: found a syntax error, expected TOML: {}{}", path,
+                                 at.line, at.column, error.description(),
+                                 syntax_hint(text, static_cast<long>(at.line))));
   }
   demand_shallow(document.root, path, 0);
   return document;

@@ -149,6 +149,12 @@ void doubt_means(const Config& c, const Case& read, std::vector<CaseWarning>& wa
           from, end, end)));
 }
 
+void doubt_rate(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
+  if (!(read.motion.rate_of_penetration < 0.0)) return;
+  warnings.push_back(warning(c, "motion.rate_of_penetration",
+                             "a negative rate moves the bit up, away from the bottom of the hole"));
+}
+
 void doubt_weight(const Config& c, const Case& read, std::vector<CaseWarning>& warnings) {
   if (read.motion.kind != MotionKind::drilling) return;
   const double most = most_weight_per_diameter * 2.0 * read.bit.gage_radius;
@@ -305,6 +311,7 @@ std::vector<CaseWarning> doubtful_values(const Config& c, const Case& read) {
   doubt_tooth_forces(c, read, warnings);
   doubt_section_lead(c, read, warnings);
   doubt_means(c, read, warnings);
+  doubt_rate(c, read, warnings);
   doubt_weight(c, read, warnings);
   doubt_attachment(c, read, warnings);
   doubt_wall_step(c, read, warnings);

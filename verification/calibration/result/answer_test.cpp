@@ -117,6 +117,19 @@ TEST(CalibrationJson, has_the_test_of_the_fit_and_the_worst_readings) {
             true);
 }
 
+TEST(CalibrationAnswer, has_the_predicted_loads_that_were_not_measured) {
+  const CalibrationCase c = noisy_case();
+  Calibration found = calibrate(c, made_up_cuts(c));
+  EXPECT_FALSE(has(answer_text(c, found), "\ntest "));
+  ASSERT_FALSE(found.predictions.empty());
+  Prediction& p = found.predictions.front();
+  p.record.test = "later";
+  p.record.tool = "C";
+  p.loads[axial] = {37391.8, 1.0, 33769.6, 41402.6};
+  EXPECT_TRUE(has(answer_text(c, found), "\ntest later of C: wob 37392 N, 33770 to 41403 N\n"))
+      << answer_text(c, found);
+}
+
 /// The residuals of fitted records are those of the fit.
 TEST(CalibrationResiduals, are_standardised_by_the_noise) {
   const CalibrationCase c = noisy_case();

@@ -16,6 +16,17 @@ TEST(TomlFiles, that_are_missing_or_no_toml) {
   const std::string path = write_temporary(".toml", "a = 1\nb = = 2\n");
   EXPECT_EQ(read_failure(path).rfind(path + ":2:5: found a syntax error, expected TOML: ", 0), 0u)
       << read_failure(path);
+  const auto hint_of = [](const std::string& line) {
+    const std::string failure = read_failure(write_temporary(".toml", "a = 1\n" + line + "\n"));
+    const std::size_t at = failure.rfind("; ");
+    return at == std::string::npos ? "" : failure.substr(at);
+  };
+  EXPECT_EQ(hint_of("edge_length = 5 mm"),
+            "; texts and values with a unit have quotes: edge_length = \"5 mm\"");
+  EXPECT_EQ(hint_of("kind = steady"),
+            "; texts and values with a unit have quotes: kind = \"steady\"");
+  EXPECT_EQ(hint_of("step = \"2 ms"), "; a text has a quote at both ends");
+  EXPECT_EQ(hint_of("b = 1 2"), "");
   const std::string twice = write_temporary(".toml", "a = 1\na = 2\n");
   EXPECT_EQ(read_failure(twice).rfind(twice + ":2:", 0), 0u) << read_failure(twice);
 }
