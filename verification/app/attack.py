@@ -11,7 +11,7 @@ CASES = pathlib.Path(__file__).resolve().parents[2] / "cases"
 DRILLED = ["output.checkpoint_every=7", "output.frames_every=25", "rock.edge_length='4 mm'"]
 KINDS = {
     "steady": ("run", "bit-b-steady", DRILLED + ["time.revolutions=0.5"]),
-    "forces": ("run", "bit-b-3000psi", DRILLED + ["time.revolutions=0.3", "output.history_every=7"]),
+    "forces": ("run", "bit-b-3000psi", DRILLED + ["time.revolutions=0.3", "output.history_every=7", "output.means_from=0"]),
     "rolling": ("run", "bit-r-rolling", DRILLED + ["motion.rate_of_penetration='100 m/h'", "time.revolutions=0.1"]),
     "drilling": ("run", "drill-bit-b", DRILLED + ["time.duration='0.2 s'"]),
     "trimmed": ("run", "core", DRILLED + ["time.step='2 ms'", "rock.trim='80 mm'", "rock.wall='120 mm'",

@@ -117,7 +117,7 @@ def check_field_files(folder):
     assert read.stderr == (f"tdbd: warning: {binary}: found 80 bytes after the 12 facets that the header declares; "
                            "they are ignored\n"), read
     bit = folder / "long.toml"
-    bit.write_text("""name = "long"\n[[parts]]\nname = "body"\nkind = "body"\nfile = "long.stl"\nunit = "1 mm"\n""")
+    bit.write_text("""name = "long"\n[[parts]]\nname = "a"\nkind = "face"\nfile = "long.stl"\nunit = "1 mm"\n""")
     read = tdbd("bit", bit)
     assert f"tdbd: warning: {bit}:5: parts[0].file: " in read.stderr and "found 80 bytes after the 12 facets" in read.stderr, read
     inner = CUBE + [(10 + x / 2, 10 + y / 2, 10 + z / 2) for x, y, z in CUBE]

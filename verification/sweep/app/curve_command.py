@@ -113,9 +113,9 @@ def check_reach(case, out):
 
 def check_rocks(case, out):
     """A law that ignores strength has one curve, with a warning; one that does not needs more weight in the stronger rock."""
-    words = ["curve", case, *COARSE, "--weights", "10kN", "--strengths", "60,100MPa", "--set", "rock.pressure=3000", "-o", out]
+    words = ["curve", case, *COARSE, "--weights", "10kN", "--strengths", "60,100MPa", "--set", "rock.dip_azimuth=45", "-o", out]
     first = expect(0, words, "warning: the force law of the cutters ignores the strength of the rock: the curves of the rocks hardly differ")
-    assert first.stderr.count("rock.pressure: 3000 without a unit is 3000 Pa; did you mean \"3000 psi\"") == 1, first.stderr
+    assert first.stderr.count("rock.dip_azimuth: 45 without a unit is 45 rad; did you mean \"45 deg\"") == 1, first.stderr
     again = expect(0, [*words, "--quiet"],
                    "warning: the force law of the cutters ignores the strength of the rock")
     assert again.stdout == "", again
