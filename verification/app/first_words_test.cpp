@@ -159,7 +159,7 @@ TEST(FirstWords, help_of_an_unknown_option_is_an_error) {
 TEST(FirstWords, version_has_the_provenance_of_a_summary) {
   const auto o = battery::run_tdbd({"--version"});
   EXPECT_EQ(o.exit_code, 0);
-  for (const char* line : {"tdbd 0", "\ncommit ", "\ncompiler ", "\nflags "})
+  for (const char* line : {"tdbd 1", "\ncommit ", "\ncompiler ", "\nflags "})
     EXPECT_NE(o.out.find(line), std::string::npos) << o.out;
 }
 

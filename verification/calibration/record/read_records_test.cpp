@@ -140,7 +140,7 @@ const Bad mistakes[] = {
      "FILE:1: tobb: found an unknown column, expected tob?"},
     {"column_of_another_subject", header_with("tob [N m]", "colour"),
      "FILE:1: colour: found an unknown column, expected one of test, bit, rock, pressure, "
-     "rotary_speed, rate_of_penetration, wob, tob"},
+     "rotary_speed, rate_of_penetration, wob, tob, wob_sd, tob_sd"},
     {"no_unit", header_with("wob [kN]", "wob"),
      "FILE:1: wob: found no unit, expected wob [unit], force in N or another unit of it"},
     {"wrong_unit", header_with("wob [kN]", "wob [psi]"),
