@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "mesh/check/nesting.hpp"
+#include "mesh/check/weld.hpp"
 #include "mesh/files/facet_file.hpp"
 #include "mesh/files/files.hpp"
 #include "mesh/files/solids.hpp"

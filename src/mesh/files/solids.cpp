@@ -12,6 +12,7 @@
 #include "core/simd.hpp"
 #include "mesh/check/nesting.hpp"
 #include "mesh/check/self_intersections.hpp"
+#include "mesh/check/weld.hpp"
 #include "mesh/files/facet_file.hpp"
 #include "mesh/measures.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/check/nesting.hpp"
+#include "mesh/check/weld.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/triangle_mesh.hpp"
 

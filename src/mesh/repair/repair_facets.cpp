@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "mesh/check/check.hpp"
-#include "mesh/check/nesting.hpp"
+#include "mesh/check/weld.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/repair_steps.hpp"
 

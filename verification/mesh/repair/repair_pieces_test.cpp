@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/check/nesting.hpp"
 #include "mesh/check/self_intersections.hpp"
+#include "mesh/check/weld.hpp"
 #include "mesh/files/solids.hpp"
 #include "mesh/measures.hpp"
 #include "mesh/repair/repair.hpp"
