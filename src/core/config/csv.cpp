@@ -21,24 +21,17 @@ std::string with_decimal_point(const std::string& cell) {
   return csv_number<double>(other) ? other : cell;
 }
 
-[[noreturn]] void refuse(const std::string& file, long line, std::string_view what,
-                         std::string_view found, std::string_view expected) {
-  CsvMistakes mistakes{file};
-  mistakes.add(line, what, found, expected);
-  mistakes.throw_if_any();
-  throw InputError(file);
-}
-
 /// Spreadsheet programs also write workbooks. Zero bytes are UTF-16 without a byte-order mark, or no
 /// text.
 void require_no_workbook(const std::string& path, std::string_view text) {
   if (text.starts_with("PK\x03\x04") || text.starts_with("\xD0\xCF\x11\xE0"))
-    refuse(path, 1, "table", "a workbook of a spreadsheet program",
-           "a CSV table: save the sheet as \"CSV UTF-8\" (Excel: File, Save As; LibreOffice: File, "
-           "Save As, Text CSV)");
+    refuse_table(
+        path, 1, "table", "a workbook of a spreadsheet program",
+        "a CSV table: save the sheet as \"CSV UTF-8\" (Excel: File, Save As; LibreOffice: File, "
+        "Save As, Text CSV)");
   const bool utf16 = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
   if (!utf16 && text.find('\0') != std::string_view::npos)
-    refuse(path, 1, "table", "a zero byte", "text: save the sheet as \"CSV UTF-8\"");
+    refuse_table(path, 1, "table", "a zero byte", "text: save the sheet as \"CSV UTF-8\"");
 }
 
 /// The separator that is most frequent in a line, outside quotes.
@@ -132,8 +125,8 @@ class CsvScanner {
     ++at_;
     while (true) {
       if (at_ == text_.size())
-        refuse(path_, line, fmt::format("cell {}", column), "a quote that is never closed",
-               "a second quote at the end of the cell");
+        refuse_table(path_, line, fmt::format("cell {}", column), "a quote that is never closed",
+                     "a second quote at the end of the cell");
       const char c = text_[at_++];
       if (c == '\n') ++line_;
       if (c == '"' && !text_.substr(at_).starts_with('"')) break;
@@ -141,9 +134,9 @@ class CsvScanner {
       cell += c;
     }
     if (const std::string_view after = take_plain(); !after.empty())
-      refuse(path_, line, fmt::format("cell {}", column),
-             fmt::format("\"{}\" after the closing quote", after),
-             "a separator; a quote inside quotes is doubled");
+      refuse_table(path_, line, fmt::format("cell {}", column),
+                   fmt::format("\"{}\" after the closing quote", after),
+                   "a separator; a quote inside quotes is doubled");
     return std::string(trimmed(cell));
   }
 
@@ -192,7 +185,7 @@ void replace_decimal_commas(const std::string& path, std::vector<CsvRow>& rows) 
       cell = std::move(other);
     }
   if (with_comma && with_point)
-    refuse(
+    refuse_table(
         path, with_comma->line, "numbers",
         fmt::format("a comma in \"{}\" and a point in \"{}\" of line {}", comma, point,
                     with_point->line),
@@ -272,6 +265,13 @@ void CsvMistakes::throw_if_any() const {
   if (listed < lines.size())
     text += fmt::format("\n{}: found {} more mistakes, expected none", file, lines.size() - listed);
   throw InputError(text);
+}
+
+void refuse_table(const std::string& file, long line, std::string_view what, std::string_view found,
+                  std::string_view expected) {
+  CsvMistakes mistakes{file};
+  mistakes.add(line, what, found, expected);
+  throw InputError(mistakes.lines.front());
 }
 
 CsvTable read_csv(const std::string& path) {

@@ -58,6 +58,10 @@ struct CsvMistakes {
   void throw_if_any() const;
 };
 
+/// Throws InputError with one mistake, "FILE:LINE: WHAT: found F, expected E".
+[[noreturn]] void refuse_table(const std::string& file, long line, std::string_view what,
+                               std::string_view found, std::string_view expected);
+
 /// A table of numbers with named columns. All rows have as many values as there are columns.
 struct CsvTable {
   std::string file;                       ///< as given, for messages

@@ -14,17 +14,9 @@
 namespace tdbd {
 namespace {
 
-[[noreturn]] void refuse_field(const std::string& file, long line, std::string_view what,
-                               std::string_view found, std::string_view expected) {
-  CsvMistakes mistakes{file};
-  mistakes.add(line, what, found, expected);
-  mistakes.throw_if_any();
-  throw InputError(file);
-}
-
 void demand_width(const FieldTable& t, const CsvRow& row) {
   if (row.cells.size() != t.names.size())
-    refuse_field(t.file, row.line, "row", fmt::format("{} values", row.cells.size()),
+    refuse_table(t.file, row.line, "row", fmt::format("{} values", row.cells.size()),
                  fmt::format("{}, one for each column", t.names.size()));
 }
 
@@ -71,7 +63,7 @@ std::vector<std::string> words_of(const std::string& text) {
 void take_las_line(char section, const CsvRow& line, FieldTable& t) {
   const LasLine l = las_line(line.cells[0]);
   if (section == 'V' && lower_case(l.name) == "wrap" && lower_case(l.value) == "yes")
-    refuse_field(t.file, line.line, "WRAP", "YES", "NO: one line for each row");
+    refuse_table(t.file, line.line, "WRAP", "YES", "NO: one line for each row");
   if (section == 'W' && lower_case(l.name) == "null")
     if (const auto null = csv_number<double>(l.value)) t.null = *null;
   if (section != 'C') return;
@@ -97,7 +89,7 @@ FieldTable read_las(const std::string& path) {
     }
   }
   if (t.names.empty())
-    refuse_field(path, 1, "~Curve", "no columns", "a section of LAS 2.0 that names them");
+    refuse_table(path, 1, "~Curve", "no columns", "a section of LAS 2.0 that names them");
   return t;
 }
 
@@ -118,7 +110,7 @@ std::optional<double> factor_of(const std::string& unit, const std::string& si_u
 
 FieldTable read_field_table(const std::string& path) {
   FieldTable t = lower_case(path).ends_with(".las") ? read_las(path) : read_csv_table(path);
-  if (t.rows.empty()) refuse_field(path, 1, "rows", "none", "a row of values for each time");
+  if (t.rows.empty()) refuse_table(path, 1, "rows", "none", "a row of values for each time");
   return t;
 }
 
@@ -130,24 +122,24 @@ std::vector<double> field_column(const FieldTable& t, std::string_view column,
     place = std::ranges::find(t.names, lower_case(wanted.name),
                               [](const std::string& name) { return lower_case(name); });
   if (place == t.names.end())
-    refuse_field(t.file, 1, wanted.name, "no column of this name",
+    refuse_table(t.file, 1, wanted.name, "no column of this name",
                  fmt::format("one of {}", fmt::join(t.names, ", ")));
   const auto k = static_cast<std::size_t>(place - t.names.begin());
   const std::string unit = wanted.unit.empty() ? t.units[k] : wanted.unit;
   if (unit.empty())
-    refuse_field(
+    refuse_table(
         t.file, 1, wanted.name, "no unit",
         fmt::format("one in the header or in the case, as in \"{} [{}]\"", wanted.name, si_unit));
   const std::optional<double> factor = factor_of(unit, si_unit);
   if (!factor)
-    refuse_field(t.file, 1, wanted.name, fmt::format("the unit \"{}\"", unit),
+    refuse_table(t.file, 1, wanted.name, fmt::format("the unit \"{}\"", unit),
                  fmt::format("a unit of {}", describe_unit(si_unit)));
   std::vector<double> values;
   values.reserve(t.rows.size());
   for (const CsvRow& row : t.rows) {
     const std::optional<double> value = csv_number<double>(row.cells[k]);
     if (!value || *value == t.null)
-      refuse_field(t.file, row.line, wanted.name, fmt::format("no value, \"{}\"", row.cells[k]),
+      refuse_table(t.file, row.line, wanted.name, fmt::format("no value, \"{}\"", row.cells[k]),
                    "a number in each row: fill the gap or cut the record");
     values.push_back(*value * *factor);
   }
