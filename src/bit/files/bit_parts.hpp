@@ -255,7 +255,7 @@ struct SolidConeSettings {
                         .unit = "rad",
                         .need = Need::required,
                         .range = Range::within(-1.5, 1.5),
-                        .meaning = "of the journal below the plane normal to the bit's axis"});
+                        .meaning = "of the journal below the horizontal, if the bit is upright"});
     v(c.offset, {.name = "offset",
                  .unit = "m",
                  .range = bit_place,

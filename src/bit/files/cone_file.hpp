@@ -40,11 +40,12 @@ struct JournalSettings {
   void visit(FieldVisitor& v) { visit_as(v, "angle", ""); }
   void visit_as(FieldVisitor& v, std::string_view name_of_angle,
                 std::string_view computed_default) {
-    v(cone.journal_angle, {.name = name_of_angle,
-                           .unit = "rad",
-                           .computed_default = computed_default,
-                           .range = Range::within(0.0, 0.5 * std::numbers::pi),
-                           .meaning = "of the journal below the plane normal to the bit's axis"});
+    v(cone.journal_angle,
+      {.name = name_of_angle,
+       .unit = "rad",
+       .computed_default = computed_default,
+       .range = Range::within(0.0, 0.5 * std::numbers::pi),
+       .meaning = "of the journal below the horizontal, if the bit is upright"});
     v(cone.offset, {.name = "offset",
                     .unit = "m",
                     .range = bit_place,

@@ -145,8 +145,8 @@ static void require_near(const Case& c, const mesh::Box& rock, const mesh::Box& 
   const bool of_file = c.rock.shape == RockShape::file;
   throw InputError(fmt::format(
       "{}: found rock {:.4g} m from the bit: its middle is at ({:.4g}, {:.4g}, {:.4g}) m, that of "
-      "the bit's way at ({:.4g}, {:.4g}, {:.4g}) m, expected rock that the bit can reach: move the "
-      "rock to the bit, or the bit to the rock (motion.start), or correct rock.unit",
+      "the bit's way at ({:.4g}, {:.4g}, {:.4g}) m, expected rock that the bit can reach: "
+      "correct rock.unit, move the rock, or start the bit elsewhere (motion.start)",
       of_file ? c.places.file : c.places.motion, gap.norm(), r.x(), r.y(), r.z(), b.x(), b.y(),
       b.z()));
 }
