@@ -1,11 +1,11 @@
 #include "mesh/shape/convex.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
-#include <map>
 #include <numeric>
-#include <set>
 #include <utility>
+#include <vector>
 
 #include "core/simd.hpp"
 #include "core/tolerance.hpp"
@@ -94,16 +94,24 @@ namespace {
 
 constexpr double on_plane = 1e-12;  ///< relative to the size of the mesh
 
-/// A mesh being clipped: the signed heights of its vertices above the plane, and the new vertices,
-/// one per edge that crosses the plane.
+/// A vertex of an edge that crosses the plane, found from the end of the edge below the plane.
+struct Crossing {
+  int above;     ///< the end of the edge above the plane
+  int vertex;    ///< the new vertex
+  int previous;  ///< index of another crossing of the same lower end, or -1
+};
+
+/// A mesh being clipped.
 struct Cut {
   TriangleMesh mesh;
-  std::vector<double> height;
-  std::map<std::pair<int, int>, int> crossing;
+  std::vector<double> height;       ///< of the vertices above the plane
+  std::vector<Crossing> crossings;  ///< one per edge that crosses the plane
+  std::vector<int> last;            ///< of each given vertex: its last crossing, or -1
 };
 
 Cut start_cut(const TriangleMesh& m, const Vec3& n, double b) {
-  Cut cut{{m.positions, {}}, {}, {}};
+  Cut cut;
+  cut.height.reserve(m.positions.size());
   const double slack = on_plane * bounding_box(m).size().norm();
   for (const Vec3& x : m.positions) {
     const double height = n.dot(x) - b;
@@ -113,44 +121,53 @@ Cut start_cut(const TriangleMesh& m, const Vec3& n, double b) {
 }
 
 int crossing_vertex(Cut& cut, int i, int j) {
-  const auto [lo, hi] = std::minmax(i, j);
-  const auto [place, is_new] =
-      cut.crossing.emplace(std::pair(lo, hi), static_cast<int>(cut.mesh.positions.size()));
-  if (is_new) {
-    const double w = cut.height[lo] / (cut.height[lo] - cut.height[hi]);
-    const Vec3 &a = cut.mesh.positions[lo], &b = cut.mesh.positions[hi];
-    cut.mesh.positions.push_back(a + w * (b - a));
-    cut.height.push_back(0.0);
-  }
-  return place->second;
+  const int below = cut.height[at(i)] < 0.0 ? i : j, above = below == i ? j : i;
+  for (int k = cut.last[at(below)]; k >= 0; k = cut.crossings[at(k)].previous)
+    if (cut.crossings[at(k)].above == above) return cut.crossings[at(k)].vertex;
+  const int vertex = static_cast<int>(cut.mesh.positions.size());
+  cut.crossings.push_back({above, vertex, cut.last[at(below)]});
+  cut.last[at(below)] = static_cast<int>(cut.crossings.size()) - 1;
+  const int lo = std::min(i, j), hi = std::max(i, j);
+  const double w = cut.height[at(lo)] / (cut.height[at(lo)] - cut.height[at(hi)]);
+  const Vec3 a = cut.mesh.positions[at(lo)], b = cut.mesh.positions[at(hi)];
+  cut.mesh.positions.emplace_back(a + w * (b - a));
+  cut.height.push_back(0.0);
+  return vertex;
 }
 
-/// The part of a triangle below the plane: a polygon of up to four corners.
-std::vector<int> inner_polygon(Cut& cut, const Triangle& t) {
-  std::vector<int> polygon;
-  for (int k = 0; k < 3; ++k) {
+/// Adds the part of a triangle below the plane, a polygon of up to four corners, as a fan.
+void add_inner(Cut& cut, const Triangle& t) {
+  std::array<int, 4> polygon;
+  std::size_t corners = 0;
+  bool is_inside = false;
+  for (std::size_t k = 0; k < 3; ++k) {
     const int i = t[k], j = t[(k + 1) % 3];
-    if (cut.height[i] <= 0.0) polygon.push_back(i);
-    if (cut.height[i] * cut.height[j] < 0.0) polygon.push_back(crossing_vertex(cut, i, j));
+    const double here = cut.height[at(i)], there = cut.height[at(j)];
+    is_inside = is_inside || here < 0.0;
+    if (here <= 0.0) polygon[corners++] = i;
+    if (here * there < 0.0) polygon[corners++] = crossing_vertex(cut, i, j);
   }
-  return polygon;
-}
-
-bool has_interior_corner(const Cut& cut, const std::vector<int>& polygon) {
-  return std::ranges::any_of(polygon, [&](int i) { return cut.height[i] < 0.0; });
+  if (!is_inside) return;
+  for (std::size_t k = 2; k < corners; ++k)
+    cut.mesh.triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
 }
 
 /// Closes the mesh by a fan about the mean of its open edges, all of which lie in the plane.
-void close(TriangleMesh& m) {
-  std::set<std::pair<int, int>> edges;
+void close(Cut& cut) {
+  TriangleMesh& m = cut.mesh;
+  std::vector<std::pair<int, int>> edges;
   for (const Triangle& t : m.triangles)
-    for (int k = 0; k < 3; ++k) edges.emplace(t[k], t[(k + 1) % 3]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int i = t[k], j = t[(k + 1) % 3];
+      if (cut.height[at(i)] == 0.0 && cut.height[at(j)] == 0.0) edges.emplace_back(i, j);
+    }
+  std::ranges::sort(edges);
   std::vector<std::pair<int, int>> open;
   for (const auto& [i, j] : edges)
-    if (!edges.contains({j, i})) open.emplace_back(i, j);
+    if (!std::ranges::binary_search(edges, std::pair(j, i))) open.emplace_back(i, j);
   if (open.empty()) return;
   Vec3 middle = Vec3::Zero();
-  for (const auto& edge : open) middle += m.positions[edge.first];
+  for (const auto& edge : open) middle += m.positions[at(edge.first)];
   const int centre = static_cast<int>(m.positions.size());
   m.positions.emplace_back(middle / static_cast<double>(open.size()));
   for (const auto& [i, j] : open) m.triangles.push_back({j, i, centre});
@@ -177,13 +194,11 @@ TriangleMesh without_unused(const TriangleMesh& m) {
 TriangleMesh clipped_convex(const TriangleMesh& m, const Vec3& n, double b) {
   Cut cut = start_cut(m, n, b);
   if (std::ranges::none_of(cut.height, [](double h) { return h > 0.0; })) return m;
-  for (const Triangle& t : m.triangles) {
-    const std::vector<int> polygon = inner_polygon(cut, t);
-    if (!has_interior_corner(cut, polygon)) continue;
-    for (std::size_t k = 2; k < polygon.size(); ++k)
-      cut.mesh.triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
-  }
-  close(cut.mesh);
+  if (std::ranges::none_of(cut.height, [](double h) { return h < 0.0; })) return {};
+  cut.mesh.positions = m.positions;
+  cut.last.assign(m.positions.size(), -1);
+  for (const Triangle& t : m.triangles) add_inner(cut, t);
+  close(cut);
   return without_unused(cut.mesh);
 }
 
