@@ -80,7 +80,7 @@ void run(const ProgramOptions& wish) {
   const long steps = std::lround(wish.length / per_step);
   fmt::print("{} steps of {:.2f} um on {} thread(s)\n", steps, 1e6 * per_step, wish.threads);
   const std::vector<Tenth> tenths = drill_tenths(d, wish, steps);
-  fmt::print("ledger defect {:.1e}\n", simulation::ledger_defect(d.run));
+  fmt::print("volumes balance to {:.1e}\n", simulation::ledger_defect(d.run));
   if (!wish.json.empty()) write_json(wish, steps, tenths);
 }
 

@@ -141,7 +141,7 @@ def main(arguments):
         return 2
     print_differences(sides)
     if not chosen.bits[0].is_dir():
-        print("loads are planar estimates without rakes, chamfers, wear and bodies: compare two runs to see these")
+        print("loads are estimates that ignore rakes, chamfers, wear and the bodies of the bits: compare two runs to include them")
     print(f"compare: look at {chosen.output}")
     return 0
 

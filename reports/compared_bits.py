@@ -80,8 +80,8 @@ def of_bit(bit, folder, program, operation):
                 drag * radius * operation.speed, area, {}, pushes, np.array([r.split(",") for r in rows], dtype=float),
                 [np.array(c["outline_rz_m"]) for c in cutters], rock_data.read(Path(folder) / "bit.vtp"))
     side.sums = {**geometry(analysis), "weight on bit kN": 1e-3 * weight, "torque on bit kN m": 1e-3 * float((drag * radius).sum()),
-                 "drilling power kW": 1e-3 * float(side.power.sum()),
-                 **{f"imbalance of {name} % of the weight": 100 * float(np.hypot(*push)) for name, push in pushes.items()}, **spread(side)}
+                 "drilling power kW": 1e-3 * float(side.power.sum() + weight * operation.penetration * operation.speed / (2.0 * math.pi)),
+                 **{f"imbalance of {name} % of the weight on bit": 100 * float(np.hypot(*push)) for name, push in pushes.items()}, **spread(side)}
     return side
 
 
@@ -93,7 +93,7 @@ def geometry(analysis):
             "cutters": len(cutters), "mean diameter of the cutters mm": 1e3 * float(np.mean([c["diameter_m"] for c in cutters])),
             "mean back rake deg": math.degrees(float(np.mean([c["back_rake_rad"] for c in cutters]))),
             "cutters that cut at each radius, mean": analysis["mean_redundancy"]}
-    for key, words, factor in (("junk_slot_area_m2", "junk slots mm²", 1e6), ("touches_at_m_per_rev", "body touches the rock at mm/rev", 1e3)):
+    for key, words, factor in (("junk_slot_area_m2", "junk slots mm²", 1e6), ("touches_at_m_per_rev", "advance at which the body touches the rock mm/rev", 1e3)):
         if body.get(key) is not None:
             sums[words] = factor * body[key]
     return sums
@@ -144,6 +144,6 @@ def of_run(folder):
 def sums_of_run(summary):
     named = (("weight on bit kN", "wob_mean_n", 1e-3), ("torque on bit kN m", "tob_mean_n_m", 1e-3),
              ("rate of penetration m/h", "rop_mean_m_per_s", 3600.0), ("rotary speed rpm", "rotary_speed_mean_rad_per_s", 30.0 / math.pi),
-             ("mechanical specific energy MPa", "mechanical_specific_energy_pa", 1e-6), ("imbalance % of the weight", "imbalance", 100.0),
+             ("mechanical specific energy MPa", "mechanical_specific_energy_pa", 1e-6), ("imbalance % of the weight on bit", "imbalance", 100.0),
              ("drilling power kW", "drilling_power_mean_w", 1e-3))
     return {words: factor * summary[key] for words, key, factor in named if summary.get(key) is not None}

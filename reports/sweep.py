@@ -255,10 +255,10 @@ def cells(x, y, figure, which):
 
 
 def draw_map(axis, x, y, figure, which, limits):
-    """A heat map with dots at the points and, between numbers, contours."""
+    """A heat map with dots at the points and, between three numbers or more of each factor, contours."""
     xs, ys, grid = cells(x, y, figure, which)
     shown = axis.pcolormesh(xs, ys, np.ma.masked_invalid(grid), shading="nearest", cmap="viridis", vmin=limits[0], vmax=limits[1])
-    if not x.words and not y.words and min(grid.shape) > 1 and np.isfinite(grid).sum() > 3 and np.nanmax(grid) > np.nanmin(grid):
+    if not x.words and not y.words and min(grid.shape) > 2 and np.isfinite(grid).sum() > 3 and np.nanmax(grid) > np.nanmin(grid):
         lines = axis.contour(xs, ys, np.ma.masked_invalid(grid), levels=6, colors="white", linewidths=0.9)
         outline = [effects_of_paths.withStroke(linewidth=2.0, foreground="black")]
         for line in (*lines.collections, *axis.clabel(lines, fontsize=7)):

@@ -55,7 +55,7 @@ void print_how_to_list(const bit::Bit& b, const BitChoices& choices) {
   std::string options;
   if (!choices.cutters && !b.cutters.empty()) options += " --cutters";
   if (!choices.parts) options += " --parts";
-  if (!options.empty()) print_out("one row for each:{}\n", options);
+  if (!options.empty()) print_out("to list all:{}\n", options);
 }
 
 void print_bit(const bit::BitFile& read, const BitChoices& choices,
@@ -67,7 +67,7 @@ void print_bit(const bit::BitFile& read, const BitChoices& choices,
             bit::overlaps_text(b, bit::cutter_overlaps(b)), bit::enclosed_text(b));
   if (b.cutter_source == bit::CutterSource::table && !b.cutters.empty())
     print_out(
-        "doubts about the cutters: {}\n",
+        "doubts about the table of cutters: {}\n",
         read.doubts.empty() ? "none" : fmt::format("{}, on standard error", read.doubts.size()));
   if (choices.cutters && !b.cutters.empty()) print_out("{}", bit::cutters_text(b));
   if (choices.parts) print_out("{}{}", bit::parts_text(b), bit::areas_report(b));

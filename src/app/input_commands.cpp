@@ -69,8 +69,9 @@ int write_new(const NewArguments& a) {
   }
   const std::string first = (folder / files.front().path).string();
   const std::string output = (folder / "result").string();
-  print_out("to run it: tdbd {} {} -o {}{}\nevery key: tdbd keys\n", files.front().command, first,
-            output, a.kind == "sweep" ? ".nc" : "");
+  print_out("to {} it: tdbd {} {} -o {}{}\nevery key: tdbd keys\n",
+            a.kind == "bit" ? "inspect" : "run", files.front().command, first, output,
+            a.kind == "sweep" ? ".nc" : "");
   if (a.kind == "bit") print_out("columns of the table: tdbd keys cutter-table\n");
   return 0;
 }

@@ -93,25 +93,30 @@ std::string edge_text(double metres) {
 
 const char* yes_or_no(bool is) { return is ? "yes" : "no"; }
 
-void print_row(const Solid& solid) {
+enum class Surface { solid, sheet };
+
+/// A sheet bounds nothing, so it has no volume and no outside.
+void print_row(const Solid& solid, Surface kind) {
   const mesh::Inspection i = mesh::inspect(solid.mesh);
   const Vec3 size = 1e3 * i.box.size();
+  const bool bounds = kind == Surface::solid;
   print_out(
-      "{:<24} {:>8} {:>8} {:>6} {:>6} {:>8} {:>8} {:>13.3f} {:>9.3f} {:>9.3f} {:>9.3f} {:>8} "
+      "{:<24} {:>8} {:>8} {:>6} {:>6} {:>8} {:>8} {:>13} {:>9.3f} {:>9.3f} {:>9.3f} {:>8} "
       "{:>8} {:>8} {:>7.4f} {:>5}\n",
-      solid.name, i.vertices, i.facets, i.pieces, yes_or_no(i.is_closed()),
-      yes_or_no(i.is_oriented()), yes_or_no(i.is_manifold()), 1e9 * i.volume, size.x(), size.y(),
-      size.z(), edge_text(i.shortest_edge), edge_text(i.mean_edge), edge_text(i.longest_edge),
+      solid.name, i.vertices, i.facets, i.pieces, bounds ? yes_or_no(i.is_closed()) : "-",
+      bounds ? yes_or_no(i.is_oriented()) : "-", yes_or_no(i.is_manifold()),
+      bounds ? fmt::format("{:.3f}", 1e9 * i.volume) : "-", size.x(), size.y(), size.z(),
+      edge_text(i.shortest_edge), edge_text(i.mean_edge), edge_text(i.longest_edge),
       i.worst_quality, i.intersecting_pairs);
 }
 
-void print_table(const std::vector<Solid>& solids) {
+void print_table(const std::vector<Solid>& solids, Surface kind = Surface::solid) {
   print_out(
       "{:<24} {:>8} {:>8} {:>6} {:>6} {:>8} {:>8} {:>13} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8} {:>7} "
       "{:>5}\n",
       "solid", "vertices", "facets", "pieces", "closed", "oriented", "manifold", "volume mm3",
       "box x mm", "y mm", "z mm", "edge mm", "mean", "longest", "quality", "cross");
-  for (std::size_t i = 0; i < std::min(most_rows, solids.size()); ++i) print_row(solids[i]);
+  for (std::size_t i = 0; i < std::min(most_rows, solids.size()); ++i) print_row(solids[i], kind);
   if (solids.size() > most_rows) print_out("and {} more\n", solids.size() - most_rows);
 }
 
@@ -278,7 +283,8 @@ int inspect_sheet(const MeshChoices& choices, const mesh::LengthUnit& unit) {
   if (!question.empty()) print_warning(fmt::format("{}: {}", choices.file, question));
   const std::vector<Solid> sheet = {{"sheet", m}};
   if (choices.writes()) write(choices, sheet);
-  print_table(sheet);
+  print_table(sheet, Surface::sheet);
+  print_out("can be the rock of a case: one open sheet whose facets face up, out of the rock\n");
   return 0;
 }
 

@@ -49,14 +49,14 @@ void print_longer_run(const simulation::RunSummary& s, const simulation::Case& c
 
 void print_summary(const simulation::RunSummary& s, const simulation::Case& c,
                    const std::string& folder, simulation::AnswerUnits units) {
-  print_out("{}: {}, {:.3f} revolutions, {} removed, ledger defect {:.1e}\n", status_word(s.status),
-            counted(std::to_string(s.steps), "step"), s.revolutions,
+  print_out("{}: {}, {:.3f} revolutions, {} removed, volumes balance to {:.1e}\n",
+            status_word(s.status), counted(std::to_string(s.steps), "step"), s.revolutions,
             simulation::volume_text(s.removed_volume, units), s.volume_ledger_defect);
   for (const std::string& line : simulation::answer_lines(s, units)) print_out("{}\n", line);
   for (const simulation::ConeSummary& cone : s.cones)
     print_out(
-        "{}: {:.4f} of the bit's speed (steps {:.4f} to {:.4f}, std {:.4f}); its gage row rolls at "
-        "{:.4f}: net slip {:+.2f} %\n",
+        "{}: {:.4f} of the bit's speed (steps {:.4f} to {:.4f}, std {:.4f}); pure rolling of the "
+        "gage row: {:.4f}, net slip {:+.2f} %\n",
         cone.name, cone.mean_speed_ratio, cone.min_speed_ratio, cone.max_speed_ratio,
         cone.std_speed_ratio, cone.rolling_ratio_gage_row, 100.0 * cone.net_slip_gage_row);
   print_out("results in {}\n", folder);
@@ -149,9 +149,10 @@ void print_outcome(const simulation::RotateCase& c, const simulation::RotateOutc
             counted(std::to_string(o.end.rotating.evaluations), "torque evaluation"));
   for (const std::string& line : simulation::answer_lines(c, o.end)) print_out("{}\n", line);
   print_out(
-      "largest changes: energy {:.2e} of its scale, momentum in space {:.2e} N m s, its vertical "
-      "component {:.2e} N m s\n",
-      v.energy_drift / v.energy_scale, std::sqrt(v.momentum_drift_squared), v.vertical_drift);
+      "largest changes: energy {:.2e} of its scale, {:.4g} J; momentum in space {:.2e} N m s, its "
+      "vertical component {:.2e} N m s\n",
+      v.energy_drift / v.energy_scale, v.energy_scale, std::sqrt(v.momentum_drift_squared),
+      v.vertical_drift);
   print_out("results in {}\n", folder);
   if (o.status == simulation::RunStatus::interrupted)
     print_interruption("rotate", folder, o.end.steps_done, c.time.steps);

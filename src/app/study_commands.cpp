@@ -203,8 +203,8 @@ void print_result(const sweep::Design& d, const sweep::SweepResult& r, const fs:
     return print_out(
         "{} of {} points are done{}\n", r.done, r.points,
         r.interrupted ? "; repeat the command to continue" : "; the last shard writes the table");
-  print_out("{} points done, {} of them before{}\n", r.points, r.found,
-            d.goals.empty() ? "" : fmt::format("; {} on the front", r.on_front));
+  print_out("{} points done, {} of them by an earlier call{}\n", r.points, r.found,
+            d.goals.empty() ? "" : fmt::format("; {} on the Pareto front", r.on_front));
   if (r.filter) print_filter(d, *r.filter);
   print_out("table in {}; to draw it: tdbd draw {}\n", table.string(), table.string());
 }

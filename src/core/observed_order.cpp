@@ -108,8 +108,8 @@ std::string in_words(const ObservedOrder& o, const std::string& what) {
     case OrderVerdict::exact:
       return fmt::format("exact: all {} are rounding", what);
     case OrderVerdict::too_few:
-      return fmt::format("no order: {} {} above the floor of rounding, at least {} are needed",
-                         o.above_floor, what, order_least_errors);
+      return fmt::format("no order: {} of {} {} above rounding, at least {} are needed",
+                         o.above_floor, all, what, order_least_errors);
     case OrderVerdict::not_settled:
       break;
   }

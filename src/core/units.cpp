@@ -98,9 +98,9 @@ std::unique_ptr<Unit> requested_unit(const std::string& si_unit) {
 /// `question`: what may be meant; empty without a guess.
 UnitError refused(std::string_view text, const std::string& why, const std::string& si_unit,
                   const std::string& question = {}) {
-  const std::string expected =
-      si_unit == "1" ? describe_unit(si_unit)
-                     : fmt::format("{} or another unit of it", describe_unit(si_unit));
+  const std::string expected = si_unit == "1"
+                                   ? describe_unit(si_unit)
+                                   : fmt::format("{} or in another unit", describe_unit(si_unit));
   return {fmt::format("\"{}\" ({})", text, why),
           question.empty() ? expected : fmt::format("{}; did you mean {}?", expected, question)};
 }

@@ -27,10 +27,10 @@ TEST_P(BadCase, is_rejected_with_its_place_and_reason) {
 const Mistake mistakes[] = {
     {"an_unknown_unit", "4 mm", "4 furlogs",
      "4: rock.edge_length: found \"4 furlogs\" (unknown unit furlogs), "
-     "expected length in m or another unit of it"},
+     "expected length in m or in another unit"},
     {"a_wrong_dimension", "120 rpm", "120 kg",
      "7: motion.rotary_speed: found \"120 kg\" (kg is mass), expected "
-     "angular speed in rad/s or another unit of it"},
+     "angular speed in rad/s or in another unit"},
     {"a_misspelt_key", "wall =", "wal =", "5: rock.wal: found an unknown key, expected wall"},
     {"a_missing_key", "step = \"2 ms\"\n", "",
      "9: time.step: found nothing, expected time in s, > 0 (the key is "
@@ -186,7 +186,7 @@ TEST(BadCase, all_mistakes_at_once) {
   EXPECT_EQ(c.check().err,
             "tdbd: " + at +
                 "case.toml:4: rock.edge_length: found \"4 furlogs\" (unknown unit "
-                "furlogs), expected length in m or another unit of it\n" +
+                "furlogs), expected length in m or in another unit\n" +
                 at + "case.toml:5: rock.wal: found an unknown key, expected wall\n" + at +
                 "case.toml:10: time.step: found \"-2 ms\", expected time in s, > 0\n" + at +
                 "bit.toml:5: mesh.rim_segments: found \"many\", expected a whole number from "

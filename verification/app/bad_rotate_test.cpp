@@ -43,7 +43,7 @@ const Mistake mistakes[] = {
      "m2"},
     {"inertia_of_a_wrong_dimension", "2.6 kg m2", "2.6 kg m",
      "3: body.inertia: found \"2.6 kg m\" (kg m is a unit of dimension m.kg), expected moment of "
-     "inertia in kg m2 or another unit of it"},
+     "inertia in kg m2 or in another unit"},
     {"missing_inertia", "inertia = [[2, 0, 0], [0, \"2.6 kg m2\", 0], [0, 0, 3]]\n", "",
      "2: body.inertia: found nothing, expected three rows of three: moment of inertia in kg m2 "
      "(the "

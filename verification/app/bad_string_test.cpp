@@ -75,7 +75,7 @@ const Mistake mistakes[] = {
     {"length_of_a_wrong_dimension", "\"900 m\"\nouter", "\"900 kg\"\nouter",
      "6: string.sections[0].length: found \"900 kg\" (kg is mass), expected length in m "
      "or "
-     "another unit of it"},
+     "in another unit"},
     {"survey_too_short", "[\"0 m\", \"300 m\", \"900 m\"]", "[\"0 m\", \"300 m\", \"800 m\"]",
      "11: string.survey.measured_depth: found stations down to 800 m for a string of 900 m, "
      "expected a survey that reaches the bit, to 1 %"},

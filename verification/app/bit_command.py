@@ -82,9 +82,9 @@ def check_facts():
         done = tdbd(bit)
         lines = done.stdout.splitlines()
         assert done.returncode == 0 and done.stderr == "" and len(lines) <= 60, (bit, done.stderr, len(lines))
-        assert lines[0].endswith(" mm") and "gage radius" in lines[0] and lines[-1].startswith("one row for each: "), lines
+        assert lines[0].endswith(" mm") and "gage radius" in lines[0] and lines[-1].startswith("to list all: "), lines
     shown = tdbd(BIT).stdout
-    for words in ("28 cutters", "the planar model of Warren and Sinor", "doubts about the cutters: none", "body: at 5.000 mm per revolution it clears"):
+    for words in ("28 cutters", "planar model of Warren and Sinor", "doubts about the table of cutters: none", "body: at 5.000 mm per revolution it clears"):
         assert words in shown, (words, shown)
     assert "cutter-1/face" not in shown and "359.428" not in shown, shown
 
@@ -131,7 +131,7 @@ def check_doubts(folder):
     (folder / "wrong.csv").write_text(table.replace(",4.002", ",-4.002"))
     doubtful = tdbd(folder / "wrong.toml")
     assert doubtful.returncode == 0 and doubtful.stderr.startswith("tdbd: warning: ") and "wrong.csv:21: side_rake_deg" in doubtful.stderr, doubtful
-    assert "doubts about the cutters: 1, on standard error" in doubtful.stdout
+    assert "doubts about the table of cutters: 1, on standard error" in doubtful.stdout
 
 
 def bounds(file):

@@ -66,8 +66,7 @@ TEST(Converge, fewer_than_three_differences_give_no_order_but_words) {
   const Json v = orders_of(c, {"--levels", "3"})["variables"]["attitude"];
   EXPECT_EQ(v["verdict"], "too few");
   EXPECT_TRUE(v["order"].is_null());
-  EXPECT_EQ(v["in_words"],
-            "no order: 2 differences above the floor of rounding, at least 3 are needed");
+  EXPECT_EQ(v["in_words"], "no order: 2 of 2 differences above rounding, at least 3 are needed");
 }
 
 TEST(Converge, against_a_reference_every_level_has_an_error) {

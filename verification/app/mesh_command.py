@@ -265,7 +265,7 @@ def check_rock_of_a_run(folder):
     bare = folder / "bare.ply"
     bare.write_bytes(b"".join(line for line in rock.read_bytes().splitlines(keepends=True)
                               if not line.startswith(b"comment tdbd")))
-    tiny = tdbd("mesh", bare, "--sheet", "--unit", "1 mm").stdout.splitlines()[-1].split()
+    tiny = tdbd("mesh", bare, "--sheet", "--unit", "1 mm").stdout.splitlines()[-2].split()
     assert 0.2 < float(tiny[8]) < 0.22, tiny
     refused(tdbd("mesh", bare), "hole", "tdbd mesh --sheet inspects it")
 
@@ -303,6 +303,8 @@ def check_sheets(folder):
     good.write_text(sheet_obj())
     told = tdbd("mesh", good, "--sheet")
     assert told.returncode == 0 and "rim of 32 edges, 56.57 mm across, at (20.0000, 20.0000, 0.0000) mm" in told.stdout, told
+    row, last = told.stdout.splitlines()[-2:]
+    assert row.split()[:8] == ["sheet", "81", "128", "1", "-", "-", "yes", "-"] and last.startswith("can be the rock of a case"), told
     bad.write_text(sheet_obj(z=1, holes=((2, 2), (6, 1)), flipped=True))
     told = tdbd("mesh", bad, "--sheet")
     refused(told, "wrong number of boundary loops: found 3, expected 1", "--fill-holes fills the holes inside the rim")

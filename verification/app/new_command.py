@@ -36,7 +36,7 @@ def check(kind):
         written, inside = folder / file, pathlib.Path(*pathlib.Path(file).parts[1:])
         shipped = [ROOT / root / inside for root in ("cases", "validation", "cases/bits/new") if (ROOT / root / inside).exists()]
         assert written.read_bytes() == shipped[0].read_bytes().replace(b"\r\n", b"\n"), file
-    words = run.removeprefix("to run it: tdbd ").split()
+    words = run.split(" it: tdbd ")[1].split()
     done = tdbd(*words, *SHORT[kind])
     assert done.returncode == 0 and (kind != "bit" or done.stderr == ""), (words, done)
     again = tdbd("new", kind, kind)

@@ -138,7 +138,7 @@ TEST(ObservedOrder, two_errors_give_none) {
   EXPECT_EQ(o.order, 0.0);
   EXPECT_NEAR(o.order_of_all, 2.0, 1e-12);
   EXPECT_EQ(in_words(o, "differences"),
-            "no order: 2 differences above the floor of rounding, at least 3 are needed");
+            "no order: 2 of 2 differences above rounding, at least 3 are needed");
   EXPECT_EQ(observe(study(0, [](double) { return 1.0; })).verdict, OrderVerdict::too_few);
 }
 

@@ -104,7 +104,7 @@ bool print_row(const Simulation& s, double depth, const Times& t, long cut_steps
 void print_counts(const Simulation& s) {
   for (const auto& [name, count] : tdbd::rock::counts(s.state.maintenance))
     if (count > 0) fmt::print("{} {}\n", name, count);
-  fmt::print("ledger defect {:.1e}\n", tdbd::simulation::ledger_defect(s));
+  fmt::print("volumes balance to {:.1e}\n", tdbd::simulation::ledger_defect(s));
 }
 
 /// The worst triangles that are left, and what the guards say of their shortest edge's collapse.

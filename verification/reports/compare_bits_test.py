@@ -53,7 +53,9 @@ class TwoBits(unittest.TestCase):
         area = np.array([c["area_m2"] for c in analysis["cutters"]])
         np.testing.assert_allclose(side.drag, 60e6 * area, rtol=ROUNDING)
         np.testing.assert_allclose(side.power, side.drag * side.radius * OPERATION.speed, rtol=ROUNDING)
-        self.assertAlmostEqual(side.sums["drilling power kW"], side.sums["torque on bit kN m"] * OPERATION.speed, delta=1e-9)
+        rate = OPERATION.penetration * OPERATION.speed / (2.0 * math.pi)
+        self.assertAlmostEqual(side.sums["drilling power kW"],
+                               side.sums["torque on bit kN m"] * OPERATION.speed + side.sums["weight on bit kN"] * rate, delta=1e-9)
         # The normal forces are in proportion to those of the unit law, whose sum is over pushes instead of the weight.
         unit = -np.array(analysis["imbalance_vector_of_unit_law"][:2])
         across = side.pushes["the normal forces"][0] * unit[1] - side.pushes["the normal forces"][1] * unit[0]

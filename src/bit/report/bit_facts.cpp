@@ -91,23 +91,16 @@ std::string percent(double share) { return fmt::format("{:6.2f} %", 100.0 * shar
 
 std::string balance_text(const std::vector<Cutter>& cutters, const Engagement& e, double advance) {
   const PlanarBalance b = planar_balance(cutters, e.area, report_normal_ratio);
-  if (!(b.weight > 0.0)) return "balance: unknown, no cutter carries weight\n";
+  if (!(b.weight > 0.0)) return "imbalance: unknown, no cutter carries weight\n";
   return fmt::format(
-      "balance at {:.4g} mm per revolution: side force on the bit over its weight, from the layout "
-      "alone\n"
-      "  {}  normal part: every cutter pushes along its profile's normal, in proportion to its "
-      "cut area;\n"
-      "            imbalance_of_unit_law in analysis.json is the same force over the sum of all "
-      "pushes: {:.2f} %\n"
-      "  {}  drag part: every cutter is pushed against its motion; normal over drag force is {:g}\n"
-      "  {}  both, the planar model of Warren and Sinor (1986)\n"
-      "  Compare layouts by the planar value; the normal part alone misses the drag. Neither "
-      "depends "
-      "on the rock,\n"
-      "  rakes or wear: trust the imbalance of a run (tdbd run) where they differ.\n",
-      1e3 * advance, percent(b.normal.norm() / b.weight), 100.0 * imbalance(cutters, e.area),
-      percent(b.drag.norm() / b.weight), report_normal_ratio,
-      percent((b.normal + b.drag).norm() / b.weight));
+      "imbalance at {:.4g} mm per revolution: lateral force over the weight on bit, estimated from "
+      "the cut areas\n"
+      "  {}  of the normal forces, which act along the normals of the profile\n"
+      "  {}  of the drag, which acts against the motion; normal force over drag is {:g}\n"
+      "  {}  of both (planar model of Warren and Sinor, 1986): compare layouts by this value\n"
+      "  The estimate ignores rakes, wear and the rock. A run (tdbd run) includes them.\n",
+      1e3 * advance, percent(b.normal.norm() / b.weight), percent(b.drag.norm() / b.weight),
+      report_normal_ratio, percent((b.normal + b.drag).norm() / b.weight));
 }
 
 std::string cut_text(const Bit& bit, const std::vector<Cutter>& cutting, const Engagement& e,

@@ -45,11 +45,16 @@ nlohmann::ordered_json overlaps_json(const Bit& bit, const std::vector<CutterOve
 std::string overlaps_text(const Bit& bit, const std::vector<CutterOverlap>& overlaps) {
   if (overlaps.empty()) return "";
   const CutterOverlap& worst = std::ranges::max(overlaps, {}, &CutterOverlap::volume);
+  const std::string pair =
+      fmt::format("cutters {} and {}", id_of(bit, worst.a), id_of(bit, worst.b));
+  if (overlaps.size() == 1)
+    return fmt::format("warning: {} overlap by {:.1f} mm3, which the mass counts twice\n", pair,
+                       1e9 * worst.volume);
   return fmt::format(
-      "warning: {} of cutters overlap by {:.1f} mm3 in all, which counts twice in the mass; "
-      "most, {:.1f} mm3, cutters {} and {}\n",
-      overlaps.size() == 1 ? "one pair" : fmt::format("{} pairs", overlaps.size()),
-      1e9 * total(overlaps), 1e9 * worst.volume, id_of(bit, worst.a), id_of(bit, worst.b));
+      "warning: {} pairs of cutters overlap by {:.1f} mm3, which the mass counts twice; the "
+      "largest "
+      "overlap is {:.1f} mm3, {}\n",
+      overlaps.size(), 1e9 * total(overlaps), 1e9 * worst.volume, pair);
 }
 
 std::string enclosed_text(const Bit& bit) {

@@ -217,8 +217,8 @@ std::string body_text(const Bit& bit, double advance) {
   constexpr double n_per_mm = 1e3;  // per metre, at 1 MPa
   return fmt::format(
       "blades: exposure {:.3f} mm, slots {:.3f} mm deep, junk slot area {:.1f} mm2\n{}"
-      "weight over depth of cut, in rock of strength S: {:.3g} N/mm per MPa of S before the body "
-      "touches, {:.3g} beyond\n",
+      "estimated weight on bit: {:.3g} N per mm of depth of cut and MPa of rock strength; {:.3g} N "
+      "once the body touches\n",
       1e3 * bit.blades->exposure, 1e3 * bit.blades->slot_depth, 1e6 * bit.blades->junk_slot_area,
       rubbing_text(body_rubbing(bit, advance), body_rubbing(bit, 0.0), advance), n_per_mm * w.slope,
       n_per_mm * w.slope_beyond);

@@ -178,7 +178,7 @@ std::string in_words(const Problem& p, const Identifiability& found) {
   if (p.unknowns.empty()) return "nothing was fitted";
   const auto n = static_cast<Eigen::Index>(found.weakest_direction.size());
   const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(found.weakest_direction.data(), n);
-  return fmt::format("{}: this changes the readings by {:.2g} times their noise",
+  return fmt::format("{}: this changes all readings together by {:.2g} times their noise",
                      direction_in_words(p, v),
                      found.singular_values.back() / v.cwiseAbs().maxCoeff());
 }

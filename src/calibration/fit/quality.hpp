@@ -65,8 +65,8 @@ struct Identifiability {
 
 Identifiability identifiability_at(const Problem& problem, const Eigen::VectorXd& values);
 
-/// The weakest direction as text: "A2 +100 %, A4 -62 %: this changes the readings by 0.3 of their
-/// noise".
+/// The weakest direction as text: "A2 +100 %, A4 -62 %: this changes all readings together by 0.3
+/// times their noise".
 std::string in_words(const Problem& problem, const Identifiability& found);
 
 /// Checks a problem before it is fitted. Throws InputError with advice if an unknown affects no

@@ -81,8 +81,8 @@ std::string set_text(const CalibrationCase& c, const FittedSet& set) {
   std::string text;
   if (set.pressure) text += fmt::format("at {:.2f} MPa:\n", *set.pressure / per_MPa);
   if (!c.unknowns.empty()) text += coefficients_text(c, set);
-  text += fmt::format("objectives: {} {:.4g}, {} {:.4g}\n", names[0].name, set.fit.objectives[0],
-                      names[1].name, set.fit.objectives[1]);
+  text += fmt::format("objectives, readings taken as independent: {} {:.4g}, {} {:.4g}\n",
+                      names[0].name, set.fit.objectives[0], names[1].name, set.fit.objectives[1]);
   text += quality_text(set, c.records.kind);
   if (!c.unknowns.empty())
     text += "weakest direction: " + in_words(set.fit.problem, set.identifiability) + "\n";

@@ -102,7 +102,7 @@ std::string diagnosis_text(const RunSummary& s) {
   if (motion.empty()) motion = "none, the run is too short";
   const std::string means =
       "means over " + counted(fmt::format("{:.3g}", steady.revolutions), "revolution");
-  if (drifts) return fmt::format("{}; {}, which still drift", motion, means);
+  if (drifts) return fmt::format("{}; {}, not steady yet", motion, means);
   if (steady.is_steady) return fmt::format("{}; {}", motion, means);
   return fmt::format("{}; {}, too few for a test of steadiness", motion, means);
 }

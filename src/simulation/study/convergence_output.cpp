@@ -77,8 +77,11 @@ std::size_t error_count(const Convergence& c) {
   return c.variables.empty() ? 0 : c.variables.front().differences.size();
 }
 
-/// The unit in brackets. Only that of the time step is known here; the others are SI.
-const char* unit_text(const std::string& key) { return key == "time.step" ? "[s]" : "[SI]"; }
+/// The unit in brackets. Only those of steps and edges are known here; the others are SI.
+const char* unit_text(const std::string& key) {
+  if (key == "time.step") return "[s]";
+  return key.ends_with("edge_length") ? "[m]" : "[SI]";
+}
 
 /// A line of the table: a name, and one number per level.
 template <class List, class Text>

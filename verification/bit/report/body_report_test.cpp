@@ -67,16 +67,18 @@ TEST(BodyReport, is_in_millimetres) {
   const Rubbing r = rubbing_of_body();
   const BladeDimensions& b = *bladed().blades;
   const nlohmann::json curve = body_json(bladed(), advance).at("weight_over_depth_of_cut");
-  EXPECT_EQ(body_text(bladed(), advance),
-            fmt::format("blades: exposure {:.3f} mm, slots {:.3f} mm deep, junk slot area {:.1f} "
-                        "mm2\nbody: at 3.000 mm per revolution it clears the rock by "
-                        "{:.3f} mm along the axis {}\n  it touches the rock from {:.3f} mm per "
-                        "revolution on {}\nweight over depth of cut, in rock of strength S: {:.3g} "
-                        "N/mm per MPa of S before the body touches, {:.3g} beyond\n",
-                        1e3 * b.exposure, 1e3 * b.slot_depth, 1e6 * b.junk_slot_area,
-                        1e3 * r.clearance, place(r.clearance_at_B), 1e3 * r.touching_advance,
-                        place(r.touching_at_B), 1e3 * curve.at("slope_m").get<double>(),
-                        1e3 * curve.at("slope_beyond_touch_m").get<double>()));
+  EXPECT_EQ(
+      body_text(bladed(), advance),
+      fmt::format(
+          "blades: exposure {:.3f} mm, slots {:.3f} mm deep, junk slot area {:.1f} "
+          "mm2\nbody: at 3.000 mm per revolution it clears the rock by "
+          "{:.3f} mm along the axis {}\n  it touches the rock from {:.3f} mm per "
+          "revolution on {}\nestimated weight on bit: {:.3g} N per mm of depth of cut and MPa "
+          "of rock strength; {:.3g} N once the body touches\n",
+          1e3 * b.exposure, 1e3 * b.slot_depth, 1e6 * b.junk_slot_area, 1e3 * r.clearance,
+          place(r.clearance_at_B), 1e3 * r.touching_advance, place(r.touching_at_B),
+          1e3 * curve.at("slope_m").get<double>(),
+          1e3 * curve.at("slope_beyond_touch_m").get<double>()));
   Bit bare = bladed();
   bare.blades.reset();
   EXPECT_EQ(body_text(bare, advance), "");
@@ -114,9 +116,13 @@ TEST(OverlapReport, sums_the_pairs_and_names_the_worst) {
   EXPECT_EQ(json.at("pairs")[1].at("a"), "cutter-7");
   EXPECT_EQ(json.at("pairs")[1].at("b"), "cutter-9");
   const std::string text = overlaps_text(bit, pairs);
-  EXPECT_NE(text.find("2 pairs of cutters overlap by 7.0 mm3"), text.npos) << text;
+  EXPECT_NE(text.find("2 pairs of cutters overlap by 7.0 mm3, which the mass counts twice"),
+            text.npos)
+      << text;
   EXPECT_NE(text.find("5.0 mm3, cutters 7 and 9"), text.npos) << text;
   EXPECT_EQ(overlaps_text(bit, {}), "");
+  EXPECT_EQ(overlaps_text(bit, {pairs.data(), 1}),
+            "warning: cutters 4 and 7 overlap by 2.0 mm3, which the mass counts twice\n");
 }
 
 const Bit& bit_r() {

@@ -69,10 +69,12 @@ TEST(Identifiability, of_a_direction_names_every_unknown_that_counts) {
   const auto told = [&](std::vector<double> direction) {
     return in_words(p, {{5.0, 2.0, 1.0, 0.25}, std::move(direction)});
   };
-  EXPECT_EQ(told({0.25, 0.5, -0.125, 0.01}),
-            "b +100 %, a +50 %, c -25 %: this changes the readings by 0.5 times their noise");
-  EXPECT_EQ(told({-0.01, 0.25, 0.25, 0.5}),
-            "d +100 %, b +50 %, c +50 %: this changes the readings by 0.5 times their noise");
+  EXPECT_EQ(
+      told({0.25, 0.5, -0.125, 0.01}),
+      "b +100 %, a +50 %, c -25 %: this changes all readings together by 0.5 times their noise");
+  EXPECT_EQ(
+      told({-0.01, 0.25, 0.25, 0.5}),
+      "d +100 %, b +50 %, c +50 %: this changes all readings together by 0.5 times their noise");
 }
 
 TEST(Identifiability, the_weakest_direction_points_up) {

@@ -142,13 +142,13 @@ const Bad mistakes[] = {
      "FILE:1: colour: found an unknown column, expected one of test, bit, rock, pressure, "
      "rotary_speed, rate_of_penetration, wob, tob, wob_sd, tob_sd"},
     {"no_unit", header_with("wob [kN]", "wob"),
-     "FILE:1: wob: found no unit, expected wob [unit], force in N or another unit of it"},
+     "FILE:1: wob: found no unit, expected wob [unit], force in N or in another unit"},
     {"wrong_unit", header_with("wob [kN]", "wob [psi]"),
      "FILE:1: wob: found \"psi\" (psi is pressure), expected wob [unit], force in N or another "
      "unit of it"},
     {"unit_that_is_none", header_with("wob [kN]", "wob [stones]"),
      "FILE:1: wob: found \"stones\" (unknown unit stones), expected wob [unit], force in N or "
-     "another unit of it"},
+     "in another unit"},
     {"unit_of_a_text", header_with("test", "test [m]"),
      "FILE:1: test: found a unit, expected a text, without a unit"},
     {"column_twice", header_with("tob [N m]", "wob [N]"),

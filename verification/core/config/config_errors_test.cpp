@@ -31,9 +31,8 @@ TEST(ConfigErrors, vector) {
   const auto read = [](Config& c) { c.vector("v", "m", {}); };
   expect_message({"v = [1, 2]\n", read,
                   "FILE:1: v: found an array of 2, expected an array of three: length in m"});
-  expect_message(
-      {"v = [1, 2, \"3 s\"]\n", read,
-       "FILE:1: v: found \"3 s\" (s is time), expected length in m or another unit of it"});
+  expect_message({"v = [1, 2, \"3 s\"]\n", read,
+                  "FILE:1: v: found \"3 s\" (s is time), expected length in m or in another unit"});
 }
 
 TEST(ConfigErrors, list) {

@@ -35,7 +35,7 @@ TEST(ConfigOverrides, are_named_for_what_they_bring_along) {
   expect_message({"[[l]]\nx = 1\n",
                   read,
                   "--set: l[1].x: found \"s\" (does not start with a "
-                  "number), expected length in m or another unit of it",
+                  "number), expected length in m or in another unit",
                   {"l=[{x=1}, {x='s'}]"}});
 }
 

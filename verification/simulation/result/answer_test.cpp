@@ -65,7 +65,7 @@ TEST(Answer, of_means_that_drift_says_so) {
   RunSummary s = drilled();
   s.steady = means_over(1.0, false);
   EXPECT_EQ(answer_lines(s, AnswerUnits::metric).back(),
-            "diagnosis        no vibrations; means over 1 revolution, which still drift");
+            "diagnosis        no vibrations; means over 1 revolution, not steady yet");
   s.drive.reset();
   s.steady = means_over(0.4, {});
   EXPECT_EQ(answer_lines(s, AnswerUnits::metric).back(),

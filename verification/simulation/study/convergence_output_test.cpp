@@ -92,7 +92,7 @@ TEST(ConvergenceOutput, as_a_table_ends_with_the_finest_level) {
   EXPECT_EQ(lines[0],
             "rock.edge_length and time.step of hole.toml divided by 2 over 5 levels, differences "
             "to the next level");
-  EXPECT_EQ(lines[1].rfind("rock.edge_length [SI]  ", 0), 0U) << lines[1];
+  EXPECT_EQ(lines[1].rfind("rock.edge_length [m]  ", 0), 0U) << lines[1];
   EXPECT_EQ(lines[2].rfind("time.step [s]  ", 0), 0U) << lines[2];
   EXPECT_EQ(lines[2].substr(34), "        0.05       0.025      0.0125     0.00625    0.003125");
   EXPECT_EQ(lines[3].substr(34), "          10          20          40          80         160");

@@ -39,7 +39,7 @@ def main():
     assert not table.exists()
     expect(0, ["sweep", design, "-o", table, "--shard", "2/2"], "3 of 6 points are done; the last shard writes the table")
     assert not table.exists()
-    expect(0, ["sweep", design, "-o", table, "--threads", "2"], "6 points done, 3 of them before", "on the front", str(table))
+    expect(0, ["sweep", design, "-o", table, "--threads", "2"], "6 points done, 3 of them by an earlier call", "on the Pareto front", str(table))
     assert expect(0, ["sweep", design, "-o", table, "--quiet"]).stdout == ""
 
     with xarray.open_dataset(table) as data:
