@@ -110,7 +110,7 @@ def main(arguments):
     for lost in read.missing:
         print(f"page3d: left out frame {lost['number']}: {lost['why']}", file=sys.stderr)
     shown = len(read.found)
-    frames = f"{shown} frames" if shown == read.listed else f"{shown} of the {read.listed} frames of the run (--most {chosen.most})"
+    frames = f"{shown} frame{'s' * (shown != 1)}" if shown == read.listed else f"{shown} of the {read.listed} frames of the run (--most {chosen.most})"
     print(f"page3d: {frames}, {path.stat().st_size / 1e6:.2f} MB; look at {path}")
     return 0
 

@@ -48,8 +48,8 @@ struct LawChoice {
                  .names = &forces::law_names,
                  .need = law.empty() ? Need::required : Need::defaulted,
                  .computed_default =
-                     "that of the file coefficients, if given; of [forces.KIND] and areas: that "
-                     "of the parts; otherwise required",
+                     "that of coefficients; without them required in [forces], and that of the "
+                     "parts in [forces.KIND] and areas",
                  .meaning = "its coefficients are keys of the same table, see the tables below"});
   }
 
