@@ -70,6 +70,20 @@ def joined(layers):
     return Layer(**fields, wires=layers[0].wires, lift=lift)
 
 
+def corners_by_place(owners, places):
+    """Corners in an order in which those of one owner and place (integers) follow one another; of each
+    corner, where its group begins in this order, and the size of the group."""
+    low, high = places[:, 0] - places[:, 0].min(), places[:, 1] - places[:, 1].min()
+    keys = places[:, 2], low * (high.max() + 1) + high, owners
+    order = np.lexsort(keys)
+    differs = np.any([np.diff(key[order]) != 0 for key in keys], axis=0)
+    starts = np.concatenate([[0], np.flatnonzero(differs) + 1])
+    sizes = np.diff(np.append(starts, len(order)))
+    first, valence = np.empty_like(order), np.empty_like(order)
+    first[order], valence[order] = np.repeat(starts, sizes), np.repeat(sizes, sizes)
+    return order, first, valence
+
+
 def smooth_normals(corners, owners):
     """Of each corner: the mean of the triangles that meet there without a crease between them."""
     area = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -77,14 +91,11 @@ def smooth_normals(corners, owners):
     if not len(corners):
         return np.zeros((0, 3, 3))
     scale = 1e-7 * np.ptp(corners.reshape(-1, 3), axis=0).max()
-    keys = np.column_stack([np.repeat(owners, 3), np.round(corners.reshape(-1, 3) / scale)]).astype(np.int64)
-    _, vertex, valence = np.unique(keys, axis=0, return_inverse=True, return_counts=True)
-    order = np.argsort(vertex, kind="stable")
-    first = np.concatenate([[0], np.cumsum(valence)[:-1]])[vertex]
-    sums = np.zeros((len(keys), 3))
-    triangle = np.arange(len(keys)) // 3
+    order, first, valence = corners_by_place(np.repeat(owners, 3), np.round(corners.reshape(-1, 3) / scale).astype(np.int64))
+    sums = np.zeros((len(order), 3))
+    triangle = np.arange(len(order)) // 3
     for k in range(valence.max()):
-        own = np.flatnonzero(valence[vertex] > k)
+        own = np.flatnonzero(valence > k)
         other = triangle[order[first[own] + k]]
         meets = np.einsum("ij,ij->i", flat[triangle[own]], flat[other]) > CREASE
         sums[own[meets]] += area[other[meets]]
@@ -124,11 +135,11 @@ class Buffer:
         weights = np.stack([1.0 - wb[which] - wc[which], wb[which], wc[which]], axis=1)
         depth = np.einsum("ij,ij->i", weights, seen[which[0], :, 2])
         sample = np.broadcast_to(y, inside.shape)[which] * self.wide + np.broadcast_to(x, inside.shape)[which]
-        near = depth < self.depth[sample]
-        order = np.flatnonzero(near)[np.argsort(-depth[near], kind="stable")]  # the nearest comes last
-        at = sample[order]
-        self.depth[at], self.weights[at] = depth[order], weights[order]
-        self.triangle[at] = triangles[which[0][order]]
+        near = np.flatnonzero(depth < self.depth[sample])
+        while len(near):  # of several fragments at one sample the last is stored: repeat for those that are nearer
+            at = sample[near]
+            self.depth[at], self.weights[at], self.triangle[at] = depth[near], weights[near], triangles[which[0][near]]
+            near = near[depth[near] < self.depth[at]]
 
 
 def barycentric(seen, x, y):

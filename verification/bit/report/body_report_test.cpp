@@ -121,7 +121,7 @@ TEST(OverlapReport, sums_the_pairs_and_names_the_worst) {
       << text;
   EXPECT_NE(text.find("5.0 mm3, cutters 7 and 9"), text.npos) << text;
   EXPECT_EQ(overlaps_text(bit, {}), "");
-  EXPECT_EQ(overlaps_text(bit, {pairs.data(), 1}),
+  EXPECT_EQ(overlaps_text(bit, {pairs.front()}),
             "warning: cutters 4 and 7 overlap by 2.0 mm3, which the mass counts twice\n");
 }
 
