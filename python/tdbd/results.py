@@ -87,6 +87,12 @@ class RotationResult(Result):
 
 
 def load(folder: str | os.PathLike[str]) -> RunResult | RotationResult:
-    """Returns the result in a folder."""
+    """Returns the result of run or rotate in a folder.
+
+    Raises FileNotFoundError if it is no such folder; the message names the function that reads the table of a sweep.
+    """
     result = Result(folder)
+    if not (result.folder / "summary.json").is_file():
+        table = "; for the table of a sweep: tdbd.sweep.load" if result.folder.suffix == ".nc" else ""
+        raise FileNotFoundError(f"{result.folder}: found no folder with summary.json, expected a result of run or rotate{table}")
     return RotationResult(folder) if result.summary["command"] == "rotate" else RunResult(folder)

@@ -67,6 +67,8 @@ class Results(FolderTest):
         command("rotate", TOP, "-o", self.folder / "rotate", "--quiet")
         self.assertIsInstance(tdbd.load(self.folder / "run"), tdbd.RunResult)
         self.assertIsInstance(tdbd.load(self.folder / "rotate"), tdbd.RotationResult)
+        with self.assertRaisesRegex(FileNotFoundError, "table.nc: found no folder with summary.json, .* tdbd.sweep.load"):
+            tdbd.load(self.folder / "table.nc")
         self.assertRaises(FileNotFoundError, tdbd.load, self.folder / "none")
 
     def test_a_temporary_folder_goes_with_its_result(self):
