@@ -69,9 +69,38 @@ def curve_of_rates(folder):
                 lambda: curve.figure_of(folder))]
 
 
+SWEEP_PICTURES = {"curves": ("Results over the factor", ""), "map": ("Maps", "Dots: the points. Colours: the value at the nearest point."),
+                  "effects": ("Main effects", "All points, and the mean of each value of a factor. Numbers: the share of the variance that the "
+                              "factor explains, or for samples the standardised coefficient of a linear fit."),
+                  "parallel": ("Parallel coordinates", "A line for each point, through its factors and results.")}
+
+
+def study(path):
+    """(summary, pictures) of the table of a sweep, in the units of the trade."""
+    import sweep  # here: pyplot, which the other pictures do not need
+
+    try:
+        table = sweep.in_drawn_table(sweep.read_table(path))
+    except (OSError, KeyError, IndexError, AttributeError) as error:
+        raise result_kind.NoResult(f"{path}: found no table of a sweep ({error}), expected NAME.nc of tdbd sweep") from error
+    if not table.factors or not table.figures or table.front.size == 0:
+        raise result_kind.NoResult(f"{path}: found no point that is done, expected at least one")
+    columns = [*table.factors, *table.figures]
+    cells = [[c.words[int(v)] if c.words else float(v) for v in c.values] for c in columns]
+    ranges = {"factors": table.factors, "figures": table.figures}
+    summary = {"title": table.title, "failed": table.failed, "unsteady": table.unsteady, "source": table.source,
+               "heads": [c.label for c in columns] + ["not dominated"] * bool(table.front.any()),
+               "points": [[*row, *[bool(front)] * bool(table.front.any())] for row, front in zip(zip(*cells), table.front)],
+               **{kind: [(c.label, sweep.range_of(c)) for c in those] for kind, those in ranges.items()}}
+    return summary, [Picture(kind, *SWEEP_PICTURES[kind], lambda draw=draw: draw(table)) for kind, draw in sweep.pictures(table).items()]
+
+
 def of_folder(folder, kind):
-    """(summary, pictures) of a result folder of one of the kinds DRAWN. The summary of a curve has its tables. Raises NoResult."""
+    """(summary, pictures) of a result folder of one of the kinds DRAWN, or of the table of a sweep. The summaries of a curve and of a
+    sweep have their tables. Raises NoResult."""
     folder = Path(folder)
+    if kind == "sweep":
+        return study(folder)
     if kind == "curve":
         return curve_of_rates(folder)
     file = {"convergence": "convergence.json", "calibration": "calibration.json"}.get(kind, "summary.json")

@@ -108,7 +108,19 @@ def of_curve(summary):
     return rows
 
 
-FACTS = {"curve": of_curve, "run": of_run, "rotation": of_rotation, "convergence": of_study, "calibration": of_calibration, "string": of_string}
+def of_sweep(summary):
+    """The points, what was varied, and the range of each result."""
+    done, all_points = len(summary["points"]), len(summary["points"]) + summary["failed"]
+    rows = [("points", f"{done} of {all_points} are done" if summary["failed"] else f"{done}")]
+    if summary.get("unsteady"):
+        rows.append(("not steady", f"the means of {summary['unsteady']} points drift; run longer"))
+    for kind in ("factor", "figure"):
+        rows += [(f"{kind} {name}", text) for name, text in summary[f"{kind}s"]]
+    return rows
+
+
+FACTS = {"sweep": of_sweep, "curve": of_curve, "run": of_run, "rotation": of_rotation, "convergence": of_study, "calibration": of_calibration, "string": of_string}
+MOST_POINTS = 200
 FORCE_HEADS = ("part", "normal force kN", "tangential force kN", "power kW", "specific energy MPa")
 
 
@@ -119,6 +131,15 @@ def forces(summary):
     return FORCE_HEADS, rows
 
 
+def table(kind, summary):
+    """(title, heads, rows): the points of a sweep; of other results the mean forces of each part."""
+    if kind != "sweep":
+        return "Forces by part", *forces(summary)
+    shown = summary["points"][:MOST_POINTS]
+    more = f", the first {MOST_POINTS} of {len(summary['points'])}" if len(summary["points"]) > MOST_POINTS else ""
+    return f"Points that are done{more}", summary["heads"], [[number(v) for v in row] for row in shown]
+
+
 def provenance(summary):
-    keys = ("command", "version", "commit", "compiler", "flags", "case_hash", "seed")
+    keys = ("source", "command", "version", "commit", "compiler", "flags", "case_hash", "seed")
     return [(key.replace("_", " "), str(summary[key])) for key in keys if summary.get(key) is not None]

@@ -2,8 +2,10 @@
 """Makes a printable page of a result: one HTML file with its numbers and pictures. `tdbd report` calls this script.
 
     reports/run_report.py FOLDER [-o FILE]      FOLDER/report.html
+    reports/run_report.py NAME.nc [-o FILE]     NAME_report.html
 
-FOLDER is a result of tdbd run, rotate, string, converge, calibrate, curve or tdbd bit --report (of which bit_page.py makes the page).
+FOLDER is a result of tdbd run, rotate, string, converge, calibrate, curve or tdbd bit --report (of which bit_page.py makes the page);
+NAME.nc is the table of tdbd sweep.
 Exit code 2 and a message for anything else.
 """
 
@@ -30,10 +32,10 @@ import run_facts
 from progress import Progress
 
 HERE = Path(__file__).resolve().parent
-KINDS = ("run", "rotation", "string", "convergence", "calibration", "bit", "curve")
+KINDS = ("run", "rotation", "string", "convergence", "calibration", "bit", "curve", "sweep")
 DPI = 130  # of pictures: sharp on paper at the width of the page
 TITLES = {"run": "A drilling run", "rotation": "A rotating body", "string": "A drill string", "convergence": "A study of convergence",
-          "calibration": "A calibration", "curve": "A curve of rate over weight"}
+          "calibration": "A calibration", "curve": "A curve of rate over weight", "sweep": "A parameter study"}
 
 
 def embedded(figure):
@@ -47,7 +49,7 @@ def embedded(figure):
 
 def settings(folder):
     """The resolved case, or nothing."""
-    case = folder / "case.toml"
+    case = folder / "case.toml"  # a table of a sweep has none
     return case.read_text(encoding="utf-8") if case.is_file() else ""
 
 
@@ -56,12 +58,12 @@ def html_of(folder, kind):
     summary, pictures = result_pictures.of_folder(folder, kind)
     drawn = [{"title": p.title, "caption": p.caption, "image": embedded(p.draw())}
              for p in Progress("report", len(pictures), "picture").over(pictures, lambda p: p.name)]
-    heads, rows = run_facts.forces(summary)
+    listed, heads, rows = run_facts.table(kind, summary)
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), autoescape=True, trim_blocks=True,
                                      undefined=jinja2.StrictUndefined, lstrip_blocks=True)
     return environment.get_template("run_report.html.j2").render(
         title=summary.get("title") or folder.resolve().name, kind=TITLES[kind], facts=run_facts.FACTS[kind](summary),
-        warnings=summary.get("warnings", []), pictures=drawn, force_heads=heads, forces=rows, settings=settings(folder),
+        warnings=summary.get("warnings", []), pictures=drawn, listed=listed, heads=heads, rows=rows, settings=settings(folder),
         provenance=run_facts.provenance(summary))
 
 
@@ -86,10 +88,11 @@ def write(folder, path):
 
 def main(arguments):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folder", type=Path, help="a result folder")
-    parser.add_argument("-o", "--output", type=Path, help="the page (FOLDER/report.html)")
+    parser.add_argument("folder", type=Path, help="a result folder, or the table NAME.nc of a sweep")
+    parser.add_argument("-o", "--output", type=Path, help="the page (FOLDER/report.html, or NAME_report.html)")
     chosen = parser.parse_args(arguments)
-    path = chosen.output or chosen.folder / "report.html"
+    table = chosen.folder.suffix == ".nc"
+    path = chosen.output or (chosen.folder.with_name(f"{chosen.folder.stem}_report.html") if table else chosen.folder / "report.html")
     try:
         write(chosen.folder, path)
     except ImportError as error:

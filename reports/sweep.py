@@ -66,6 +66,8 @@ class Table:
     front: np.ndarray  # True: not dominated; all False without goals
     failed: int
     is_grid: bool  # the design has every combination of the factors' values once
+    unsteady: int = 0  # points whose means are not steady
+    source: str = ""  # the program
 
 
 def column_of(variable):
@@ -124,7 +126,24 @@ def read_table(path):
         set_labels(factors + figures)
         for column in factors + figures:
             column.values = column.values[done]
-        return Table(data.title, factors, figures, front[done], int((~done).sum()), grid)
+        steady = np.ma.filled(data["steady"][:], 2)[done] if "steady" in data.variables else np.array([])
+        return Table(data.title, factors, figures, front[done], int((~done).sum()), grid, int((steady == 0).sum()), getattr(data, "source", ""))
+
+
+def in_drawn_table(table):
+    """The table with all values in the units of their labels."""
+    return replace(table, factors=[in_drawn_units(c) for c in table.factors], figures=[in_drawn_units(c) for c in table.figures])
+
+
+def range_of(column):
+    """The values of a column in words: "40 to 60", or the texts of a factor."""
+    if column.words:
+        return ", ".join(column.words)
+    finite = column.values[np.isfinite(column.values)]
+    if not finite.size:
+        return "no value"
+    low, high = (f"{v + 0.0:.4g}" for v in (finite.min(), finite.max()))
+    return low if low == high else f"{low} to {high}"
 
 
 def groups_of(factor):
@@ -362,7 +381,7 @@ def main():
         sys.exit(f"{arguments.table}: found no point that is done, expected at least one")
     folder = arguments.output or arguments.table.parent
     folder.mkdir(parents=True, exist_ok=True)
-    drawn = replace(table, factors=[in_drawn_units(c) for c in table.factors], figures=[in_drawn_units(c) for c in table.figures])
+    drawn = in_drawn_table(table)
     for kind, draw in pictures(drawn).items():
         path = folder / f"{arguments.table.stem}_{kind}.svg"
         figure = draw(drawn)

@@ -1,6 +1,7 @@
 """sweep_test.py TDBD ROOT: pictures of a sweep show the values of its table; shares and coefficients agree with closed forms."""
 
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -10,6 +11,7 @@ import numpy as np
 
 TDBD, ROOT = (pathlib.Path(word).resolve() for word in sys.argv[1:])
 sys.path[:0] = [str(ROOT / "reports"), str(ROOT / "verification/sweep/app")]
+import balance  # noqa: E402
 import sweep  # noqa: E402
 from small_sweeps import tops  # noqa: E402
 
@@ -97,7 +99,8 @@ class Maps(unittest.TestCase):
         mesh = first.collections[0]
         np.testing.assert_array_equal(np.reshape(mesh.get_array(), (3, 2)), [[11.0, 21.0], [12.0, 22.0], [14.0, 24.0]])
         np.testing.assert_array_equal(np.ravel(second.collections[0].get_array()), 2.0 * np.ravel(mesh.get_array()))
-        self.assertGreater(len(first.collections), 1)
+        self.assertEqual(len(first.collections), 1)  # no contours between two values
+        self.assertGreater(len(sweep.maps(grid([1.0, 2.0, 4.0], [10.0, 20.0, 30.0])).axes[0].collections), 1)
         self.assertIn("\n", sweep.maps(grid([1.0, 2.0], [3.0, 4.0]))._suptitle.get_text())
 
     def test_a_failed_point_is_empty(self):
@@ -189,6 +192,20 @@ class Pictures(unittest.TestCase):
         self.assertEqual(len(made[0]), 3)
         self.assertEqual(*made)
 
+    def test_the_page_has_the_points_and_the_pictures_of_the_table(self):
+        done = subprocess.run([ROOT / "reports/run_report.py", self.table], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = (self.folder / "tops_report.html").read_text()
+        table = sweep.read_table(self.table)
+        balance.check(page)
+        self.assertEqual(page.count("<img "), 3)
+        self.assertIn('<th scope="row">points</th><td>6</td>', page)
+        self.assertIn('<th scope="row">factor drift</th><td>lie-mean, lie-midpoint</td>', page)
+        rows = re.search(r"Points that are done.*?<tbody>(.*?)</tbody>", page, re.DOTALL)[1]
+        cells = [re.findall("<td>(.*?)</td>", row) for row in re.findall("<tr>(.*?)</tr>", rows)]
+        self.assertEqual([c[2] for c in cells], [f"{v:.0f}" for v in table.figures[0].values])
+        self.assertEqual([c[4] for c in cells], ["yes" if front else "no" for front in table.front])
+
     def test_what_is_no_table_is_named(self):
         for text in (b"no", None):
             wrong = self.folder / "wrong.nc"
@@ -196,6 +213,9 @@ class Pictures(unittest.TestCase):
             done = subprocess.run([ROOT / "reports/sweep.py", wrong], capture_output=True, text=True)
             self.assertEqual(done.returncode, 1)
             self.assertIn("wrong.nc: found no table of a sweep", done.stderr)
+            done = subprocess.run([ROOT / "reports/run_report.py", wrong], capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stderr.startswith("report: ")), (2, True), done.stderr)
+            self.assertFalse((self.folder / "wrong_report.html").exists())
 
 
 if __name__ == "__main__":
