@@ -180,10 +180,13 @@ void add_report(CLI::App& app, int& exit_code) {
   auto* command =
       app.add_subcommand("report", "Make a printable page of a result: numbers and pictures");
   auto a = std::make_shared<DrawArguments>();
-  add_result(*command, *a,
-             "a result folder of run, rotate, string, converge, calibrate, curve or bit --report, or the "
-             "table of a sweep");
-  command->add_option("-o,--output", a->output, "the page; default: FOLDER/report.html or NAME_report.html")
+  add_result(
+      *command, *a,
+      "a result folder of run, rotate, string, converge, calibrate, curve or bit --report, or the "
+      "table of a sweep");
+  command
+      ->add_option("-o,--output", a->output,
+                   "the page; default: FOLDER/report.html or NAME_report.html")
       ->type_name("FILE.html");
   command->footer(
       "One HTML file without links to other files: results, bit, forces, hole, traces, settings.\n"
