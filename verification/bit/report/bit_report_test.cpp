@@ -165,10 +165,10 @@ TEST(BitFacts, fit_on_a_screen_for_every_kind_of_bit) {
 
 TEST(BitFacts, state_what_each_imbalance_is) {
   const std::string text = facts_text(read(TDBD_SOURCE_DIR "/cases/bits/bit-b.toml"), 5e-3);
-  for (const char* words :
-       {"28 cutters", "8.5 in across", "blades (number, cutters): 1 6, 2 5",
-        "zones (name, cutters): cone 8", "over the sum of all pushes", "normal part", "drag part",
-        "the planar model of Warren and Sinor", "trust the imbalance of a run"})
+  for (const char* words : {"28 cutters", "8.5 in across", "blades (number, cutters): 1 6, 2 5",
+                            "zones (name, cutters): cone 8", "lateral force over the weight on bit",
+                            "1.20 %  of the normal forces", "6.78 %  of the drag",
+                            "6.87 %  of both (planar model", "A run (tdbd run) includes them"})
     EXPECT_NE(text.find(words), std::string::npos) << words << " is not in " << text;
 }
 

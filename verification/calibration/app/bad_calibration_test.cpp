@@ -64,8 +64,8 @@ const Mistake mistakes[] = {
     {"start_out_of_range", "start = \"18 deg\"", "start = \"50 deg\"",
      "25: unknowns.A3.start: found 0.872665, expected a value between 0 and 0.785398"},
     {"start_in_a_wrong_unit", "start = \"18 deg\"", "start = \"18 mm\"",
-     "25: unknowns.A3.start: found \"18 mm\" (mm is length), expected angle in rad or another unit "
-     "of it"},
+     "25: unknowns.A3.start: found \"18 mm\" (mm is length), expected angle in rad or in another "
+     "unit"},
     {"range_that_falls", "[\"0 deg\", \"45 deg\"]", "[\"45 deg\", \"0 deg\"]",
      "26: unknowns.A3.range: found [0.785398, 0], expected [lowest, highest], rising, within 0 and "
      "1"},
@@ -125,8 +125,8 @@ TEST_P(BadCalibrationRecords, are_rejected_with_their_line) {
 
 const BadRow bad_rows[] = {
     {"wrong_unit", "normal [N]", "normal [psi]",
-     "1: normal: found \"psi\" (psi is pressure), expected normal [unit], force in N or another "
-     "unit of it"},
+     "1: normal: found \"psi\" (psi is pressure), expected normal [unit], force in N or in another "
+     "unit"},
     {"unknown_column", "drag [N]", "drug [N]", "1: drug: found an unknown column, expected drag?"},
     {"speed_of_zero", "c13-3000,c13,3000,500", "c13-3000,c13,3000,0",
      "2: speed: found 0, expected a number, > 0"},

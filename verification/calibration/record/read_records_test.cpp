@@ -144,8 +144,8 @@ const Bad mistakes[] = {
     {"no_unit", header_with("wob [kN]", "wob"),
      "FILE:1: wob: found no unit, expected wob [unit], force in N or in another unit"},
     {"wrong_unit", header_with("wob [kN]", "wob [psi]"),
-     "FILE:1: wob: found \"psi\" (psi is pressure), expected wob [unit], force in N or another "
-     "unit of it"},
+     "FILE:1: wob: found \"psi\" (psi is pressure), expected wob [unit], force in N or in another "
+     "unit"},
     {"unit_that_is_none", header_with("wob [kN]", "wob [stones]"),
      "FILE:1: wob: found \"stones\" (unknown unit stones), expected wob [unit], force in N or "
      "in another unit"},

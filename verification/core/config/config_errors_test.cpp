@@ -11,9 +11,9 @@ const std::vector<std::pair<std::string, Motion>> motions{{"axial", Motion::axia
 
 TEST(ConfigErrors, quantity) {
   const auto read = [](Config& c) { c.quantity("a.d", "m", {}, Range::positive()); };
-  expect_message({"[a]\nd = \"8 kg\"\n", read,
-                  "FILE:2: a.d: found \"8 kg\" (kg is mass), expected length in m or another unit "
-                  "of it"});
+  expect_message(
+      {"[a]\nd = \"8 kg\"\n", read,
+       "FILE:2: a.d: found \"8 kg\" (kg is mass), expected length in m or in another unit"});
   expect_message({"[a]\n\nd = -1\n", read, "FILE:3: a.d: found -1, expected length in m, > 0"});
   expect_message(
       {"[a]\nd = \"0 m\"\n", read, "FILE:2: a.d: found \"0 m\", expected length in m, > 0"});
@@ -39,8 +39,7 @@ TEST(ConfigErrors, list) {
   const auto read = [](Config& c) { c.list("l", "m", {}); };
   expect_message({"l = 1\n", read, "FILE:1: l: found 1, expected an array: length in m"});
   expect_message({"l = [1, \"3 s\"]\n", read,
-                  "FILE:1: l: found \"3 s\" (s is time), expected length in m or another unit of "
-                  "it"});
+                  "FILE:1: l: found \"3 s\" (s is time), expected length in m or in another unit"});
   expect_message(
       {"\n", read,
        "FILE:1: l: found nothing, expected an array: length in m (the key is required)"});

@@ -7,8 +7,7 @@ TEST(ConfigOverrides, are_named_as_such) {
   expect_message({"", read, "--set: a.e: found an unknown key, expected d", {"a.e=1"}});
   expect_message({"",
                   read,
-                  "--set: a.d: found \"1 s\" (s is time), expected length in m or another "
-                  "unit of it",
+                  "--set: a.d: found \"1 s\" (s is time), expected length in m or in another unit",
                   {"a.d=1 s"}});
   expect_message({"", read, "--set: a.d: found no key=value, expected key=value", {"a.d"}});
   expect_message(
