@@ -1,7 +1,7 @@
 #pragma once
 
 // What the standard library of emscripten 3.1.6 (libc++ 13) lacks of C++20, and src uses: algorithms of ranges, numbers
-// from text, bit_cast, order of strings. Included before every source; later versions have it all.
+// from and to text, bit_cast, order of strings. Included before every source; later versions have it all.
 
 #include <fast_float/fast_float.h>
 
@@ -9,6 +9,8 @@
 #include <charconv>
 #include <cmath>
 #include <compare>
+#include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <iterator>
 #include <numeric>
@@ -29,6 +31,17 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   if (isinf(read) && !says_infinite) return {end, errc::result_out_of_range};
   value = read;
   return {end, error};
+}
+
+/// The shortest digits that are read back as the value, in scientific notation.
+inline to_chars_result to_chars(char* first, char* last, double value, chars_format) {
+  constexpr int most_digits = 16;  // after the point
+  for (int digits = 0; digits <= most_digits; ++digits) {
+    const int length = snprintf(first, static_cast<size_t>(last - first), "%.*e", digits, value);
+    if (length < 0 || length >= last - first) return {last, errc::value_too_large};
+    if (digits == most_digits || strtod(first, nullptr) == value) return {first + length, errc()};
+  }
+  return {last, errc::value_too_large};
 }
 
 template <class To, class From>
@@ -95,6 +108,10 @@ template <class R, class Less = ranges::less, class Projection = identity>
 void stable_sort(R&& r, Less less = {}, Projection p = {}) {
   std::stable_sort(std::begin(r), std::end(r), projected_less(less, p));
 }
+template <class R, class Place, class Less = ranges::less, class Projection = identity>
+void nth_element(R&& r, Place nth, Less less = {}, Projection p = {}) {
+  std::nth_element(std::begin(r), nth, std::end(r), projected_less(less, p));
+}
 template <class R, class T, class Less = ranges::less, class Projection = identity>
 auto lower_bound(R&& r, const T& value, Less less = {}, Projection p = {}) {
   return std::lower_bound(std::begin(r), std::end(r), value, [&](const auto& x, const T& v) {
@@ -111,9 +128,13 @@ template <class R, class T>
 bool binary_search(R&& r, const T& value) {
   return std::binary_search(std::begin(r), std::end(r), value);
 }
-template <class A, class B, class Test>
-bool equal(A&& a, B&& b, Test test) {
-  return std::equal(std::begin(a), std::end(a), std::begin(b), std::end(b), test);
+template <class A, class B, class Test = ranges::equal_to, class First = identity,
+          class Second = identity>
+bool equal(A&& a, B&& b, Test test = {}, First first = {}, Second second = {}) {
+  return std::equal(std::begin(a), std::end(a), std::begin(b), std::end(b),
+                    [&](const auto& x, const auto& y) {
+                      return bool(std::invoke(test, std::invoke(first, x), std::invoke(second, y)));
+                    });
 }
 template <class R, class Less = ranges::less, class Projection = identity>
 auto min_element(R&& r, Less less = {}, Projection p = {}) {
@@ -137,6 +158,10 @@ auto minmax(R&& r, Less less = {}, Projection p = {}) {
   const auto [least, greatest] =
       std::minmax_element(std::begin(r), std::end(r), projected_less(less, p));
   return std::pair(*least, *greatest);
+}
+template <class R, class Function>
+void for_each(R&& r, Function function) {
+  std::for_each(std::begin(r), std::end(r), function);
 }
 template <class R, class Out>
 void copy(R&& r, Out out) {
