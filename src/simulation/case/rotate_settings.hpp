@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 
 #include "core/config/field.hpp"
@@ -218,6 +220,10 @@ struct RotateTimeSettings {
   }
 };
 
+/// Steps: 1e12, or what fits if a long has 32 bits, as in browsers.
+inline constexpr long most_steps_between =
+    std::min(1'000'000'000'000LL, static_cast<long long>(std::numeric_limits<long>::max()));
+
 /// [output] of a rotation.
 struct RotateOutput {
   long history_every = 1;
@@ -228,13 +234,13 @@ struct RotateOutput {
     v(history_every, {.name = "history_every",
                       .computed_default = "at most 10 000 rows",
                       .lo = 1,
-                      .hi = 1'000'000'000'000,
+                      .hi = most_steps_between,
                       .meaning = "steps between rows of the history"});
     v(checkpoint_every,
       {.name = "checkpoint_every",
        .need = Need::optional,
        .computed_default = "so that they take less than 1 % of the time",
-       .hi = 1'000'000'000'000,
+       .hi = most_steps_between,
        .meaning = "steps between checkpoints, from which `tdbd rotate --resume` resumes; 0: none"});
   }
 };
