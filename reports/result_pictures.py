@@ -78,9 +78,10 @@ SWEEP_PICTURES = {"curves": ("Results over the factor", ""), "map": ("Maps", "Do
 def study(path):
     """(summary, pictures) of the table of a sweep, in the units of the trade."""
     import sweep  # here: pyplot, which the other pictures do not need
+    import sweep_table
 
     try:
-        table = sweep.in_drawn_table(sweep.read_table(path))
+        table = sweep_table.in_drawn_table(sweep_table.read_table(path))
     except (OSError, KeyError, IndexError, AttributeError) as error:
         raise result_kind.NoResult(f"{path}: found no table of a sweep ({error}), expected NAME.nc of tdbd sweep") from error
     if not table.factors or not table.figures or table.front.size == 0:
@@ -91,7 +92,7 @@ def study(path):
     summary = {"title": table.title, "failed": table.failed, "unsteady": table.unsteady, "source": table.source,
                "heads": [c.label for c in columns] + ["not dominated"] * bool(table.front.any()),
                "points": [[*row, *[bool(front)] * bool(table.front.any())] for row, front in zip(zip(*cells), table.front)],
-               **{kind: [(c.label, sweep.range_of(c)) for c in those] for kind, those in ranges.items()}}
+               **{kind: [(c.label, sweep_table.range_of(c)) for c in those] for kind, those in ranges.items()}}
     return summary, [Picture(kind, *SWEEP_PICTURES[kind], lambda draw=draw: draw(table)) for kind, draw in sweep.pictures(table).items()]
 
 
